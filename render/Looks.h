@@ -14,7 +14,7 @@
 /// editor remembers follow from the table.
 namespace crowd::render {
 
-enum class Look : std::uint8_t { Plain, Lit };
+enum class Look : std::uint8_t { Plain, Lit, Cartoon };
 
 /// Texts are literals: `label` and `tip` in the translation context "Looks".
 struct LookInfo
@@ -25,13 +25,17 @@ struct LookInfo
     const char* tip;
     const char* defines; ///< what the shaders of people and stages are compiled with
     bool isLit;          ///< ground and shadows follow the scene's light
+    float inkPixels;     ///< width of lines around things and along creases, logical; 0: none
 };
 
 inline constexpr std::array kLooks{
     LookInfo{Look::Plain, "plain", QT_TRANSLATE_NOOP("Looks", "&Plain Colours"),
-             QT_TRANSLATE_NOOP("Looks", "Base colours without light"), "", false},
+             QT_TRANSLATE_NOOP("Looks", "Base colours without light"), "", false, 0.0F},
     LookInfo{Look::Lit, "lit", QT_TRANSLATE_NOOP("Looks", "&Lit"),
-             QT_TRANSLATE_NOOP("Looks", "Light of the sun and the sky"), "LIT ", true}};
+             QT_TRANSLATE_NOOP("Looks", "Light of the sun and the sky"), "LIT ", true, 0.0F},
+    LookInfo{Look::Cartoon, "cartoon", QT_TRANSLATE_NOOP("Looks", "&Cartoon"),
+             QT_TRANSLATE_NOOP("Looks", "Ink lines, and light in three steps"), "LIT CARTOON ",
+             true, 2.0F}};
 
 namespace detail {
 

@@ -3448,6 +3448,14 @@
         <source>What is brighter than white</source>
         <translation>Was heller als Weiß ist</translation>
     </message>
+    <message>
+        <source>Occlusion</source>
+        <translation>Verdeckung</translation>
+    </message>
+    <message>
+        <source>How dark it is in corners, under people and where they sit: less of the sky is seen from there</source>
+        <translation>Wie dunkel es in Ecken ist, unter Menschen und wo sie sitzen: von dort ist weniger vom Himmel zu sehen</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -3638,6 +3646,14 @@
     <message>
         <source>Light of the sun and the sky</source>
         <translation>Licht von Sonne und Himmel</translation>
+    </message>
+    <message>
+        <source>&amp;Cartoon</source>
+        <translation>&amp;Comic</translation>
+    </message>
+    <message>
+        <source>Ink lines, and light in three steps</source>
+        <translation>Tuschelinien, und Licht in drei Stufen</translation>
     </message>
 </context>
 <context>
@@ -5116,10 +5132,6 @@
     <message>
         <source>%1 must be an object with columns and rows</source>
         <translation>%1 muss ein Objekt mit „columns“ und „rows“ sein</translation>
-    </message>
-    <message>
-        <source>The graphics driver offers no shadows. Set those of the light to 0 %.</source>
-        <translation>Der Grafiktreiber bietet keine Schatten. Setzen Sie die des Lichts auf 0 %.</translation>
     </message>
 </context>
 <context>
@@ -9330,6 +9342,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Character %1, who is gone</source>
         <translation>Figur %1, die nicht mehr da ist</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
     </message>
 </context>
 <context>

@@ -3448,6 +3448,14 @@
         <source>What is brighter than white</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Occlusion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How dark it is in corners, under people and where they sit: less of the sky is seen from there</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -3637,6 +3645,14 @@
     </message>
     <message>
         <source>Light of the sun and the sky</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Cartoon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ink lines, and light in three steps</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5115,10 +5131,6 @@
     </message>
     <message>
         <source>%1 must be an object with columns and rows</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The graphics driver offers no shadows. Set those of the light to 0 %.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9322,6 +9334,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Character %1, who is gone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

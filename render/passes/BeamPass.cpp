@@ -14,8 +14,8 @@ namespace crowd::render {
 namespace {
 
 constexpr int kBeamSides = 32;
-constexpr float kBeyond = 1.5F;     ///< a beam ends so much farther off than what it is turned to
-constexpr float kWidestHalf = 1.2F; ///< radians; wider ones are drawn like that
+constexpr float kBeyond = 1.5F;      ///< a beam ends so much farther off than what it is turned to
+constexpr float kWidestHalf = 1.2F;  ///< radians; wider ones are drawn like that
 constexpr float kAirLight = 0.0022F; ///< share of the light a metre away that a beam of 1 scatters
 
 bool hasBeam(const PlacedLight& light)

@@ -13,13 +13,13 @@ using model::Result;
 
 constexpr float kRadius = 0.55F; ///< metres within which things hide the sky from each other
 
-GlTexture makeTexture(GLint format, glm::ivec2 size, GLenum layout, GLenum type, GLint filter)
+GlTexture makeTexture(glm::ivec2 size)
 {
     GlTexture texture = GlTexture::create();
     glBindTexture(GL_TEXTURE_2D, texture.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, format, size.x, size.y, 0, layout, type, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16, size.x, size.y, 0, GL_RG, GL_UNSIGNED_SHORT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glBindTexture(GL_TEXTURE_2D, 0);
@@ -29,18 +29,6 @@ GlTexture makeTexture(GLint format, glm::ivec2 size, GLenum layout, GLenum type,
 bool isFrameComplete()
 {
     return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-}
-
-/// Half the width and height of what is seen a metre away (or anywhere), and the two numbers that
-/// make metres of a depth of 0..1.
-glm::vec4 unprojectOf(const model::View& view)
-{
-    const glm::mat4& p = view.projectionMatrix();
-    const glm::vec2 half(1.0F / p[0][0], 1.0F / p[1][1]);
-    if (view.camera().projection == model::Projection::Perspective) {
-        return {half, p[3][2] * 0.5F, (p[2][2] - 1.0F) * 0.5F};
-    }
-    return {half, -2.0F / p[2][2], (p[3][2] + 1.0F) / p[2][2]};
 }
 
 /// Without a GPU, while smooth edges are not wanted either.
@@ -75,19 +63,10 @@ void OcclusionPass::initialize()
 
 bool OcclusionPass::make()
 {
-    const glm::ivec2 size = m_size;
-    m_depth =
-        makeTexture(GL_DEPTH24_STENCIL8, size, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, GL_NEAREST);
-    m_depthFrame = GlFramebuffer::create();
-    glBindFramebuffer(GL_FRAMEBUFFER, m_depthFrame.name());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D,
-                           m_depth.name(), 0);
-    glDrawBuffer(GL_NONE);
-    glReadBuffer(GL_NONE);
-    bool isUsable = isFrameComplete();
+    bool isUsable = true;
     const glm::ivec2 coarse = coarseSize();
     for (std::size_t i = 0; i < 2; ++i) {
-        m_found[i] = makeTexture(GL_RG16, coarse, GL_RG, GL_UNSIGNED_SHORT, GL_LINEAR);
+        m_found[i] = makeTexture(coarse);
         m_foundFrames[i] = GlFramebuffer::create();
         glBindFramebuffer(GL_FRAMEBUFFER, m_foundFrames[i].name());
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
@@ -97,7 +76,7 @@ bool OcclusionPass::make()
     return isUsable;
 }
 
-Result<void> OcclusionPass::find(const PassContext& context)
+Result<void> OcclusionPass::find(const PassContext& context, const DepthCopy& depths)
 {
     auto built = m_programs.get(isQuick(context) ? "QUICK" : "");
     if (!built) {
@@ -116,7 +95,7 @@ Result<void> OcclusionPass::find(const PassContext& context)
     program.set("pixelsPerMetre", view.pixelsPerMetre(1.0F) * ratio);
     program.set("texel", 1.0F / glm::vec2(m_size));
     program.set("last", m_size - 1);
-    bindAt(0, m_depth);
+    bindAt(0, depths.texture());
     glBindFramebuffer(GL_FRAMEBUFFER, m_foundFrames[0].name());
     const glm::ivec2 coarse = coarseSize();
     glViewport(0, 0, coarse.x, coarse.y);
@@ -163,7 +142,8 @@ Result<void> OcclusionPass::apply(const PassContext& context)
     return {};
 }
 
-Result<void> OcclusionPass::draw(const PassContext& context, const PictureTarget& target)
+Result<void> OcclusionPass::draw(const PassContext& context, const DepthCopy& depths,
+                                 const PictureTarget& target)
 {
     const int coarseness = isQuick(context) ? 3 : 2;
     if (m_size != target.size() || m_coarseness != coarseness) {
@@ -175,12 +155,11 @@ Result<void> OcclusionPass::draw(const PassContext& context, const PictureTarget
         target.bind();
         return {};
     }
-    target.copyDepth(m_depthFrame.name());
     glBindVertexArray(m_nothing.name());
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
-    auto drawn = find(context);
+    auto drawn = find(context, depths);
     drawn = drawn ? spread(context, 0, {1, 0}) : drawn;
     drawn = drawn ? spread(context, 1, {0, 1}) : drawn;
     target.bind();

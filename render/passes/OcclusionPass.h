@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 
 #include "model/base/Result.h"
+#include "render/gl/DepthCopy.h"
 #include "render/gl/GlObjects.h"
 #include "render/gl/PictureTarget.h"
 #include "render/gl/ShaderVariants.h"
@@ -21,12 +22,13 @@ class OcclusionPass
 public:
     void initialize();
     /// The target is bound before and after.
-    [[nodiscard]] model::Result<void> draw(const PassContext& context, const PictureTarget& target);
+    [[nodiscard]] model::Result<void> draw(const PassContext& context, const DepthCopy& depths,
+                                           const PictureTarget& target);
 
 private:
     [[nodiscard]] glm::ivec2 coarseSize() const;
     [[nodiscard]] bool make();
-    [[nodiscard]] model::Result<void> find(const PassContext& context);
+    [[nodiscard]] model::Result<void> find(const PassContext& context, const DepthCopy& depths);
     [[nodiscard]] model::Result<void> spread(const PassContext& context, std::size_t from,
                                              glm::ivec2 way);
     [[nodiscard]] model::Result<void> apply(const PassContext& context);
@@ -36,8 +38,6 @@ private:
     glm::ivec2 m_size{0}; ///< of the picture
     int m_coarseness = 2; ///< pixels to a texel of what is found
     bool m_isUsable = false;
-    GlFramebuffer m_depthFrame;
-    GlTexture m_depth;
     std::array<GlFramebuffer, 2> m_foundFrames;
     std::array<GlTexture, 2> m_found; ///< openness, depth
 };

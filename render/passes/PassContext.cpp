@@ -15,6 +15,7 @@ void PassContext::setCommon(ShaderProgram& program) const
     program.set("skyColor", style.light.sky);
     program.set("bounceColor", style.light.bounce);
     program.set("toneGain", style.tone.gain);
+    program.set("fullLight", style.light.fullLuminance());
     if (style.tone.hazePerMetre > 0.0F) {
         program.set("eye", input.view.camera().position);
         program.set("hazePerMetre", style.tone.hazePerMetre);

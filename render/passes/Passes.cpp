@@ -42,10 +42,19 @@ constexpr PassInfo kPasses[] = {
     {"stage", [](Passes& p, const PassContext& c) { return p.stage.draw(c); }, Mark::Others},
     {"ground", [](Passes& p, const PassContext& c) { return p.background.drawGround(c); },
      Mark::Others, [](const PassContext& c) { return c.style.hasGround; }},
-    {"occlusion", [](Passes& p, const PassContext& c) { return p.occlusion.draw(c, p.target); },
+    {"occlusion",
+     [](Passes& p, const PassContext& c) {
+         return p.depths.take(p.target) ? p.occlusion.draw(c, p.depths, p.target)
+                                        : model::Result<void>();
+     },
      Mark::None, [](const PassContext& c) { return c.style.occlusion > 0.0F; }},
     {"sky", [](Passes& p, const PassContext& c) { return p.background.drawSky(c); }, Mark::None,
      [](const PassContext& c) { return c.style.hasSky; }},
+    {"ink",
+     [](Passes& p, const PassContext& c) {
+         return p.depths.take(p.target) ? p.ink.draw(c, p.depths) : model::Result<void>();
+     },
+     Mark::None, [](const PassContext& c) { return c.style.inkPixels > 0.0F; }},
     {"shadows",
      [](Passes& p, const PassContext& c) {
          p.blobs.draw(c, p.crowd.rows(), p.seen);
@@ -96,6 +105,7 @@ model::Result<void> Passes::initialize()
     background.initialize();
     beams.initialize();
     occlusion.initialize();
+    ink.initialize();
     auto ready = blobs.initialize();
     ready = ready ? overlay.initialize() : ready;
     return ready ? outline.initialize() : ready;

@@ -4,11 +4,13 @@
 #include "model/base/Result.h"
 #include "render/crowd/CrowdGpu.h"
 #include "render/crowd/CrowdView.h"
+#include "render/gl/DepthCopy.h"
 #include "render/gl/PictureTarget.h"
 #include "render/passes/BackgroundPass.h"
 #include "render/passes/BeamPass.h"
 #include "render/passes/BlobPass.h"
 #include "render/passes/GhostPass.h"
+#include "render/passes/InkPass.h"
 #include "render/passes/OcclusionPass.h"
 #include "render/passes/OutlinePass.h"
 #include "render/passes/OverlayPass.h"
@@ -33,7 +35,9 @@ struct Passes
     StagePass stage;
     ShadowPass shadows{peopleDrawing, stage};
     BackgroundPass background;
+    DepthCopy depths; ///< of what is solid
     OcclusionPass occlusion;
+    InkPass ink;
     BeamPass beams;
     OverlayPass overlay;
     OutlinePass outline;

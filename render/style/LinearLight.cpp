@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "render/style/LinearLight.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include <glm/geometric.hpp>
 
 #include "model/base/Color.h"
 
@@ -27,6 +30,11 @@ LinearLight LinearLight::from(const model::Lighting& lighting)
     light.zenith = model::linearFromSrgb(lighting.skyZenith);
     light.horizon = model::linearFromSrgb(lighting.skyHorizon);
     return light;
+}
+
+float LinearLight::fullLuminance() const
+{
+    return std::max(glm::dot(sun + sky, glm::vec3(0.2126F, 0.7152F, 0.0722F)), 1e-3F);
 }
 
 } // namespace crowd::render

@@ -20,6 +20,8 @@ struct LinearLight
     glm::vec3 ground{0.5F}; ///< base colour of the plane
 
     [[nodiscard]] static LinearLight from(const model::Lighting& lighting);
+    /// Luminance of what sun and sky give to a surface that faces both; never 0.
+    [[nodiscard]] float fullLuminance() const;
     /// Light on an upward surface.
     [[nodiscard]] glm::vec3 onGround() const { return sun * glm::max(sunDirection.y, 0.0F) + sky; }
 };

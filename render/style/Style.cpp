@@ -35,7 +35,10 @@ Style Style::of(const RenderInput& input)
     if (look.isLit) {
         style.lights = placedLights(input.lights, input.frame.get());
         style.tone = Tone::from(input.lighting);
-        style.occlusion = input.showShadows ? input.lighting.occlusion : 0.0F;
+        style.inkPixels = look.inkPixels;
+        // Soft darkness is not drawn with ink.
+        const bool isSoft = input.showShadows && look.inkPixels <= 0.0F;
+        style.occlusion = isSoft ? input.lighting.occlusion : 0.0F;
     }
     if (!style.lights.empty()) {
         style.surfaceDefines += "LIGHTS=" + std::to_string(style.lights.size()) + ' ';
@@ -50,6 +53,9 @@ Style Style::of(const RenderInput& input)
     if (look.isLit && input.showShadows && isCasting(input.lighting)) {
         style.shadowStrength = input.lighting.shadowStrength;
         style.shadowSoftness = input.lighting.shadowSoftnessRadians;
+    }
+    if (style.inkPixels > 0.0F && style.castsShadows()) {
+        style.blobStrength = 0.0F;
     }
     style.selectionColor = input.selectionColor;
     return style;

@@ -37,11 +37,13 @@ struct Style
     bool hasSky = true;
     bool hasGround = true;
     bool hasGrid = true;
-    glm::vec3 groundColor{0.5F};                  ///< of the plane as it is drawn
-    float blobStrength = 0.42F;                   ///< of the soft dark under people; 0: none
-    float occlusion = 0.0F;                       ///< where little of the sky is seen; 0: none
-    float shadowStrength = 0.0F;                  ///< of what the sun casts; 0: nothing
-    float shadowSoftness = 0.0F;                  ///< radians that the sun takes in the sky
+    glm::vec3 groundColor{0.5F}; ///< of the plane as it is drawn
+    float blobStrength = 0.42F;  ///< of the soft dark under people; 0: none
+    glm::vec3 inkColor{0.012F, 0.011F, 0.016F};
+    float inkPixels = 0.0F;      ///< width of lines around things, logical; 0: none
+    float occlusion = 0.0F;      ///< where little of the sky is seen; 0: none
+    float shadowStrength = 0.0F; ///< of what the sun casts; 0: nothing
+    float shadowSoftness = 0.0F; ///< radians that the sun takes in the sky
     glm::vec3 selectionColor{1.0F, 0.62F, 0.10F}; ///< sRGB, of outlines
     glm::vec3 hoverColor{1.0F};                   ///< likewise
     float outlinePixels = 2.0F;                   ///< logical

@@ -1,4 +1,7 @@
 in vec4 color;
+#ifdef CARTOON
+in float level;
+#endif
 #ifdef HAZY
 in float hazed;
 #endif
@@ -55,7 +58,15 @@ void main()
 #endif
     vec4 result = color;
 #ifdef SHADOWED
-    result.rgb *= shadowedLight(shadowed);
+    vec3 left = shadowedLight(shadowed);
+    result.rgb *= left;
+#endif
+#ifdef CARTOON
+#ifdef SHADOWED
+    result.rgb = cartoonOf(result.rgb, level * luminanceOf(left));
+#else
+    result.rgb = cartoonOf(result.rgb, level);
+#endif
 #endif
 #ifdef TEXTURED
     vec4 texel = texture(images, textureUv);

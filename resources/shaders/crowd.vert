@@ -25,6 +25,9 @@ const uint kModesMask = 255u; // in the lowest bits of the radius: slots whose c
 #ifdef HAZY
 out float hazed; // share that the air hides
 #endif
+#ifdef CARTOON
+out float level; // of light, as a share of all there can be
+#endif
 out vec4 color; // lit base colour; alpha, or who is highlighted where that is 1
 #ifdef SHADOWED
 out vec4 shadowed;
@@ -166,6 +169,9 @@ void main()
 #ifdef GLOWING
     glowUv = vec3(dot(texelFetch(materials, material + 5).xyz, vec3(uv, 1.0)),
                   dot(texelFetch(materials, material + 6).xyz, vec3(uv, 1.0)), emission.w);
+#endif
+#ifdef CARTOON
+    level = levelOf(light);
 #endif
     vec4 slotTint = tintOf(row * 3, slot);
     vec3 tint = mix(vec3(1.0), slotTint.rgb, slotTint.w);

@@ -2,7 +2,7 @@ in vec2 place;
 uniform vec2 center;
 uniform vec3 groundColor; // lit, linear
 uniform vec3 horizon;
-#ifdef LIGHTS
+#if defined(LIGHTS) || defined(CARTOON)
 uniform vec3 groundBase; // unlit
 #endif
 #ifdef SHADOWED
@@ -31,6 +31,9 @@ void main()
 #endif
 #ifdef LIGHTS
     result += groundBase * lightsAt(vec3(center.x + place.x, 0.0, center.y + place.y), vec3(0.0, 1.0, 0.0));
+#endif
+#ifdef CARTOON
+    result = cartoonOf(result, luminanceOf(result) / max(luminanceOf(groundBase), 0.001) / fullLight);
 #endif
 #ifdef GRID
     vec2 metres = place + center;

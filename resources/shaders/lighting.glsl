@@ -27,6 +27,15 @@ vec3 lightAt(vec3 normal)
     return sunAt(normal) + skyAt(normal);
 }
 
+#ifdef CARTOON
+uniform float fullLight; // luminance of all that sun and sky can give
+
+float levelOf(vec3 light)
+{
+    return dot(light, vec3(0.2126, 0.7152, 0.0722)) / fullLight;
+}
+#endif
+
 #ifdef SHADOWED
 uniform mat4 mapFromWorld;   // 0..1 on the shadow map, and depth
 uniform float shadowOffset;  // metres along the normal: surfaces do not shade themselves

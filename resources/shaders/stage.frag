@@ -1,4 +1,7 @@
 in vec4 color;
+#ifdef CARTOON
+in float level;
+#endif
 #ifdef HAZY
 in float hazed;
 #endif
@@ -25,11 +28,25 @@ out vec4 fragment;
 void main()
 {
     vec4 result = color;
+#ifdef CARTOON
+    float share = level;
+#endif
 #ifdef SHADOWED
-    result.rgb *= shadowedLight(shadowed);
+    vec3 left = shadowedLight(shadowed);
+    result.rgb *= left;
+#ifdef CARTOON
+    share *= luminanceOf(left);
+#endif
 #endif
 #ifdef LIGHTS
-    result.rgb += surface * lightsAt(worldPlace, normalize(worldNormal));
+    vec3 others = lightsAt(worldPlace, normalize(worldNormal));
+    result.rgb += surface * others;
+#ifdef CARTOON
+    share += luminanceOf(others) / fullLight;
+#endif
+#endif
+#ifdef CARTOON
+    result.rgb = cartoonOf(result.rgb, share);
 #endif
 #ifdef TEXTURED
     result *= texture(image, textureUv);

@@ -16,6 +16,9 @@ uniform vec3 uvRowV;
 #ifdef HAZY
 out float hazed; // share that the air hides
 #endif
+#ifdef CARTOON
+out float level; // of light, as a share of all there can be
+#endif
 out vec4 color;
 #ifdef SHADOWED
 out vec4 shadowed;
@@ -52,6 +55,9 @@ void main()
     surface = base.rgb * (1.0 - unlit);
     worldPlace = world.xyz;
     worldNormal = n;
+#endif
+#ifdef CARTOON
+    level = levelOf(light);
 #endif
     color = vec4(base.rgb * light, base.a);
 #ifdef TEXTURED

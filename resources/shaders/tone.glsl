@@ -14,6 +14,28 @@ vec3 filmic(vec3 c)
 }
 #endif
 
+#ifdef CARTOON
+uniform float fullLight; // luminance of all that sun and sky can give
+
+float luminanceOf(vec3 c)
+{
+    return dot(c, vec3(0.2126, 0.7152, 0.0722));
+}
+
+// What a share of the full light becomes: three steps, and coarser ones where lights make more of it.
+float stepped(float level)
+{
+    float more = 1.0 + 0.5 * floor(max(level - 1.0, 0.0) * 2.0 + 0.25);
+    return (0.42 + 0.26 * smoothstep(0.30, 0.33, level) + 0.32 * smoothstep(0.60, 0.63, level)) * more;
+}
+
+// A lit colour, with its share of the full light, in steps.
+vec3 cartoonOf(vec3 lit, float level)
+{
+    return lit * (stepped(level) / max(level, 0.02));
+}
+#endif
+
 vec3 toned(vec3 c)
 {
 #ifdef TONED

@@ -56,8 +56,7 @@ void TestLightList::filesKeepThem()
 {
     SceneDocument document;
     const std::string before = projectText(document.scene());
-    document.edit(QStringLiteral("Lights"),
-                  [](SceneEdit& edit) { edit.setLights(twoLights()); });
+    document.edit(QStringLiteral("Lights"), [](SceneEdit& edit) { edit.setLights(twoLights()); });
     const std::string text = projectText(document.scene());
     const auto read = projectFromText(text);
     QVERIFY2(read.isOk(), read ? "" : read.error().message.c_str());

@@ -263,7 +263,8 @@ void TestLightDock::saysWhenTheyAreTooMany()
     QTRY_VERIFY(note->isVisible());
     QVERIFY2(note->text().contains(QStringLiteral("20")), qPrintable(note->text()));
     many.resize(3);
-    desk.document.edit(QStringLiteral("Few"), [&](model::SceneEdit& edit) { edit.setLights(many); });
+    desk.document.edit(QStringLiteral("Few"),
+                       [&](model::SceneEdit& edit) { edit.setLights(many); });
     QTRY_VERIFY(!note->isVisible());
 }
 

@@ -328,7 +328,9 @@ void addAxes(FieldForm& form, const Bound& bound, std::initializer_list<int> axe
     form.beginRow();
     for (const int axis : axes) {
         form.addSlider(
-            QStringLiteral("XYZ").sliced(axis, 1),
+            axis == 0   ? QStringLiteral("X")
+            : axis == 1 ? FieldForm::tr("Height")
+                        : QStringLiteral("Z"),
             {meta.sliderLow, meta.sliderHigh, meta.step, meta.decimals, fieldText(meta.unit),
              false},
             [&form, bound, axis] {
@@ -372,7 +374,8 @@ void addSpace(FieldForm& form, const Bound& bound)
     title->setToolTip(fieldText(bound.field->meta.tip));
     form.bind(
         title, [] {}, bound.isShown);
-    addAxes(form, bound, {0, 1, 2});
+    addAxes(form, bound, {0, 2});
+    addAxes(form, bound, {1}); // all three would be too wide
 }
 
 /// Whoever is selected when the button is pressed.
@@ -395,8 +398,7 @@ void addIndividual(FieldForm& form, const Bound& bound)
         labelText(bound), button,
         [&form, button, bound] {
             const auto id = static_cast<model::IndividualId>(form.valueOf<std::int64_t>(bound));
-            const bool isThere =
-                sceneOf(form).population.rowOf(id) != model::Population::npos;
+            const bool isThere = sceneOf(form).population.rowOf(id) != model::Population::npos;
             button->setText(id == 0   ? FieldForm::tr("Take the Selected")
                             : isThere ? FieldForm::tr("Character %1").arg(id)
                                       : FieldForm::tr("Character %1, who is gone").arg(id));

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include <set>
+
+#include <QtTest/QTest>
+
+#include "tests/program/Test.h"
+#include "tests/render/PictureBench.h"
+#include "tests/render/TestScene.h"
+
+using namespace crowd;
+using namespace crowd::testing;
+
+/// Ink around people and on creases, light in steps.
+class TestCartoon : public PictureBench
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { open(); }
+    void cleanupTestCase() { m_renderer->destroy(); }
+    void inkRunsAroundPeople_data();
+    void inkRunsAroundPeople();
+    void flatGroundHasNoInk();
+    void creasesHaveInk();
+    void lightComesInSteps();
+    void theOtherLooksHaveNone();
+
+private:
+    [[nodiscard]] render::RenderInput frontOf(const model::Camera& camera, render::Look look);
+    [[nodiscard]] int brightness(int x, int y) const
+    {
+        const std::uint8_t* pixel = &m_pixels[static_cast<std::size_t>((y * kPixels + x) * 4)];
+        return pixel[0] + pixel[1] + pixel[2];
+    }
+    /// Pixels of a row that are as dark as ink.
+    [[nodiscard]] int inkIn(int row) const
+    {
+        int count = 0;
+        for (int x = 0; x < kPixels; ++x) {
+            count += brightness(x, row) < 260 ? 1 : 0;
+        }
+        return count;
+    }
+};
+
+render::RenderInput TestCartoon::frontOf(const model::Camera& camera, render::Look look)
+{
+    render::RenderInput input(model::View(camera, glm::vec2(kPixels)), *m_keyframes);
+    input.frame = frameOf(makeRow(1), {entryFor(m_man)});
+    input.lighting.showGroundGrid = false;
+    input.lighting.ground = glm::vec3(0.8F);
+    input.samples = 0;
+    input.look = look;
+    return input;
+}
+
+void TestCartoon::inkRunsAroundPeople_data()
+{
+    QTest::addColumn<bool>("isPerspective");
+    QTest::newRow("perspective") << true;
+    QTest::newRow("parallel") << false;
+}
+
+void TestCartoon::inkRunsAroundPeople()
+{
+    QFETCH(const bool, isPerspective);
+    model::Camera camera = model::Camera::lookingAt({0.0F, 1.0F, 5.0F}, {0.0F, 1.0F, 0.0F});
+    if (!isPerspective) {
+        camera.projection = model::Projection::Orthographic;
+        camera.orthographicHeight = 4.0F;
+    }
+    draw(frontOf(camera, render::Look::Lit));
+    const int before = inkIn(kPixels / 2);
+    draw(frontOf(camera, render::Look::Cartoon));
+    const int lines = inkIn(kPixels / 2) - before;
+    QVERIFY2(lines >= 3 && lines <= 24, qPrintable(QString::number(lines)));
+}
+
+void TestCartoon::flatGroundHasNoInk()
+{
+    const model::Camera camera = model::Camera::lookingAt({0.0F, 1.2F, 6.0F}, {0.0F, 0.0F, -4.0F});
+    render::RenderInput input = frontOf(camera, render::Look::Cartoon);
+    input.frame = frameOf(model::Population(), {entryFor(m_man)});
+    draw(input);
+    for (int row = kPixels - 20; row < kPixels; ++row) {
+        QCOMPARE(inkIn(row), 0);
+    }
+}
+
+void TestCartoon::creasesHaveInk()
+{
+    auto stage = std::make_shared<model::StageAsset>();
+    stage->materials.emplace_back();
+    model::StageMesh roof; // two slopes that meet along X
+    roof.positions = {{-1, 0.2F, 1}, {1, 0.2F, 1},  {1, 1.2F, 0},
+                      {-1, 1.2F, 0}, {1, 0.2F, -1}, {-1, 0.2F, -1}};
+    roof.normals.assign(6, glm::vec3(0, 1, 0)); // shaded alike
+    roof.uv.assign(6, glm::vec2(0));
+    roof.indices = {0, 1, 2, 0, 2, 3, 3, 2, 4, 3, 4, 5};
+    for (const glm::vec3& corner : roof.positions) {
+        stage->bounds.add(corner);
+    }
+    stage->meshes.push_back(roof);
+    model::StageEntry entry;
+    entry.asset = stage;
+    model::Camera camera = model::Camera::lookingAt({0.0F, 4.0F, 0.01F}, {0.0F, 0.0F, 0.0F});
+    camera.projection = model::Projection::Orthographic;
+    camera.orthographicHeight = 1.2F; // within both slopes
+    render::RenderInput input = frontOf(camera, render::Look::Cartoon);
+    input.frame = frameOf(model::Population(), {entryFor(m_man)});
+    input.stages = {&entry, 1};
+    draw(input);
+    const int column = kPixels / 2;
+    int darkest = 765;
+    for (int y = kPixels / 2 - 4; y <= kPixels / 2 + 4; ++y) {
+        darkest = std::min(darkest, brightness(column, y));
+    }
+    QVERIFY2(darkest < brightness(column, kPixels / 4) * 4 / 5,
+             qPrintable(QString::number(darkest)));
+}
+
+void TestCartoon::lightComesInSteps()
+{
+    // Two triangles whose normals turn from towards the sun to away from it.
+    auto stage = std::make_shared<model::StageAsset>();
+    stage->materials.emplace_back();
+    model::StageMesh sheet;
+    sheet.positions = {{-2, 0.1F, 2}, {2, 0.1F, 2}, {2, 0.1F, -2}, {-2, 0.1F, -2}};
+    sheet.normals = {{0, 1, 0}, {0, -1, 0.01F}, {0, -1, 0.01F}, {0, 1, 0}};
+    sheet.uv.assign(4, glm::vec2(0));
+    sheet.indices = {0, 1, 2, 0, 2, 3};
+    for (const glm::vec3& corner : sheet.positions) {
+        stage->bounds.add(corner);
+    }
+    stage->meshes.push_back(sheet);
+    model::StageEntry entry;
+    entry.asset = stage;
+    const auto valuesOf = [&](render::Look look) {
+        render::RenderInput input = frontOf(above().camera(), look);
+        input.frame = frameOf(model::Population(), {entryFor(m_man)});
+        input.stages = {&entry, 1};
+        input.lighting.sunElevationRadians = 1.5F;
+        draw(input);
+        std::set<int> values;
+        for (int x = 40; x < 88; ++x) {
+            values.insert(brightness(x, kPixels / 2));
+        }
+        return values.size();
+    };
+    const std::size_t smooth = valuesOf(render::Look::Lit);
+    const std::size_t stepped = valuesOf(render::Look::Cartoon);
+    QVERIFY2(stepped * 2 < smooth, qPrintable(QStringLiteral("%1 %2").arg(smooth).arg(stepped)));
+}
+
+void TestCartoon::theOtherLooksHaveNone()
+{
+    const model::Camera camera = model::Camera::lookingAt({0.0F, 1.0F, 5.0F}, {0.0F, 1.0F, 0.0F});
+    draw(frontOf(camera, render::Look::Plain));
+    const int plain = inkIn(kPixels / 2);
+    draw(frontOf(camera, render::Look::Cartoon));
+    QVERIFY(inkIn(kPixels / 2) > plain + 2);
+}
+
+CROWD_TEST(TestCartoon)
+#include "tst_Cartoon.moc"
