@@ -379,8 +379,8 @@ void MainWindow::showWelcome()
 void MainWindow::showShortcuts()
 {
     QWidget* above = QApplication::activeModalWidget();
-    auto* dialog = new KeysDialog(m_actions, m_state.viewOptions().buttons,
-                                  above != nullptr ? above : this);
+    auto* dialog =
+        new KeysDialog(m_actions, m_state.viewOptions().buttons, above != nullptr ? above : this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
 }

@@ -11,7 +11,7 @@ namespace crowd::model {
 namespace {
 
 constexpr float kSpotMetres = 7.0F;    ///< above what it lights, and towards whoever looks
-constexpr float kAimMetres = 0.6F;   ///< it aims so far above the ground
+constexpr float kAimMetres = 0.6F;     ///< it aims so far above the ground
 constexpr float kPointMetres = 2.5F;   ///< above the ground
 constexpr float kPointStrength = 0.1F; ///< it is near what it lights
 

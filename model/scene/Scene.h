@@ -99,7 +99,7 @@ struct Scene
     std::vector<StageEntry> stages;       ///< ascending ids
     std::vector<NamedCamera> cameras;
     Lighting lighting = newLighting();
-    Lights lights; ///< ascending ids
+    Lights lights;                   ///< ascending ids
     std::vector<Place> places;       ///< ascending ids
     std::vector<Path> paths;         ///< ascending ids; their places are there
     std::vector<Group> groups;       ///< ascending ids

@@ -54,9 +54,10 @@ LightId addLight(EditorState& state, LightKind kind, const glm::vec3& lit)
     }
     light.name = freeLightName(lights, kind).toStdString();
     lights.push_back(light);
-    const auto outcome = state.document().edit(
-        LightText::tr("Add a light"),
-        [&lights](model::SceneEdit& edit) { edit.setLights(std::move(lights)); });
+    const auto outcome =
+        state.document().edit(LightText::tr("Add a light"), [&lights](model::SceneEdit& edit) {
+            edit.setLights(std::move(lights));
+        });
     if (outcome == model::EditOutcome::Refused) {
         return 0;
     }
@@ -68,9 +69,8 @@ void removeLight(EditorState& state, LightId id)
 {
     Lights lights = state.scene().lights;
     std::erase_if(lights, [id](const Light& each) { return each.id == id; });
-    state.document().edit(LightText::tr("Remove a light"), [&lights](model::SceneEdit& edit) {
-        edit.setLights(std::move(lights));
-    });
+    state.document().edit(LightText::tr("Remove a light"),
+                          [&lights](model::SceneEdit& edit) { edit.setLights(std::move(lights)); });
 }
 
 Lights withLight(const Lights& lights, LightId id, const std::function<void(Light&)>& apply)
@@ -88,9 +88,8 @@ void changeLight(EditorState& state, LightId id, const QString& undoText,
                  const std::function<void(Light&)>& apply)
 {
     Lights changed = withLight(state.scene().lights, id, apply);
-    state.document().edit(undoText, [&changed](model::SceneEdit& edit) {
-        edit.setLights(std::move(changed));
-    });
+    state.document().edit(
+        undoText, [&changed](model::SceneEdit& edit) { edit.setLights(std::move(changed)); });
 }
 
 } // namespace crowd::widgets

@@ -406,6 +406,18 @@ void addIndividual(FieldForm& form, const Bound& bound)
         bound.isShown);
 }
 
+/// What is somewhere in the scene.
+void addInScene(FieldForm& form, const Bound& bound)
+{
+    if (bound.field->meta.role == model::FieldRole::Point) {
+        addPoint(form, bound);
+    } else if (bound.field->meta.role == model::FieldRole::Space) {
+        addSpace(form, bound);
+    } else {
+        addIndividual(form, bound);
+    }
+}
+
 } // namespace
 
 bool addReferenceControl(FieldForm& form, const Bound& bound)
@@ -445,13 +457,9 @@ bool addReferenceControl(FieldForm& form, const Bound& bound)
         addTag(form, bound);
         return true;
     case model::FieldRole::Point:
-        addPoint(form, bound);
-        return true;
     case model::FieldRole::Space:
-        addSpace(form, bound);
-        return true;
     case model::FieldRole::Individual:
-        addIndividual(form, bound);
+        addInScene(form, bound);
         return true;
     case model::FieldRole::Event:
         addKnownEvents(form, bound);

@@ -115,17 +115,15 @@ QWidget* LightDock::makeReady()
 void LightDock::makeForms()
 {
     static const Light kNone;
-    const auto context = [this] {
-        return model::FieldContext{&m_state.scene(), nullptr};
-    };
+    const auto context = [this] { return model::FieldContext{&m_state.scene(), nullptr}; };
     m_sunForm = new FieldForm({[this]() -> const void* { return &m_state.scene().lighting; },
                                [this](const auto& apply) { changeLighting(apply); }, context},
                               QStringLiteral("light"), &m_state, this);
     m_sunForm->setObjectName(QStringLiteral("lightForm"));
     m_sunForm->addFields(model::fieldsOf<model::Lighting>());
     m_lightForm = new FieldForm({[this]() -> const void* {
-                                     const Light* chosen = model::findLight(
-                                         m_state.scene().lights, m_state.chosenLight());
+                                     const Light* chosen = model::findLight(m_state.scene().lights,
+                                                                            m_state.chosenLight());
                                      return chosen != nullptr ? chosen : &kNone;
                                  },
                                  [this](const auto& apply) { changeLight(apply); }, context},
@@ -188,16 +186,16 @@ void LightDock::fill()
         addRow(QString::fromStdString(light.name), light.id, &light);
     }
     const auto chosen = std::ranges::find(lights, m_state.chosenLight(), &Light::id);
-    m_list->setCurrentRow(
-        chosen == lights.end() ? 0 : static_cast<int>(chosen - lights.begin()) + 1);
+    m_list->setCurrentRow(chosen == lights.end() ? 0
+                                                 : static_cast<int>(chosen - lights.begin()) + 1);
     m_isFilling = false;
     const int rows = std::min(m_list->count(), kLightRows);
     m_list->setFixedHeight(rows * m_list->sizeHintForRow(0) + 2 * m_list->frameWidth() + 4);
     const auto on = static_cast<std::size_t>(std::ranges::count_if(lights, &Light::isOn));
     m_note->setVisible(on > model::kMostLightsDrawn);
-    m_note->setText(tr("%n lights are on; the strongest %1 of them shine.", nullptr,
-                       static_cast<int>(on))
-                        .arg(model::kMostLightsDrawn));
+    m_note->setText(
+        tr("%n lights are on; the strongest %1 of them shine.", nullptr, static_cast<int>(on))
+            .arg(model::kMostLightsDrawn));
     showChosen();
 }
 
@@ -273,8 +271,8 @@ void LightDock::put(const model::Lights& lights, const QString& undoText)
         m_edit->setLights(lights);
         return;
     }
-    const auto outcome = m_state.document().edit(
-        undoText, [&](model::SceneEdit& edit) { edit.setLights(lights); });
+    const auto outcome =
+        m_state.document().edit(undoText, [&](model::SceneEdit& edit) { edit.setLights(lights); });
     if (outcome == model::EditOutcome::Refused) {
         m_lightForm->refresh();
     }

@@ -70,10 +70,9 @@ public:
         if (!place) {
             return;
         }
-        m_edit->setLights(
-            withLight(m_context.state.scene().lights, m_hit.light, [&](Light& light) {
-                (m_hit.isTarget ? light.target : light.position) = *place;
-            }));
+        m_edit->setLights(withLight(m_context.state.scene().lights, m_hit.light, [&](Light& light) {
+            (m_hit.isTarget ? light.target : light.position) = *place;
+        }));
     }
 
     void release(const ToolInput& input) override
@@ -94,8 +93,9 @@ public:
         const Light* light = findLight(m_context.state.scene().lights, m_hit.light);
         if (m_edit && light != nullptr && !m_hit.isTarget) {
             picture.symbolAt = m_press.position();
-            picture.label = LightHandlesText::tr("%1 m high").arg(
-                QLocale().toString(static_cast<double>(light->position.y), 'f', 1));
+            picture.label =
+                LightHandlesText::tr("%1 m high")
+                    .arg(QLocale().toString(static_cast<double>(light->position.y), 'f', 1));
         }
     }
 

@@ -81,8 +81,8 @@ void LightMarks::addCone(const model::Light& light, const glm::vec3& target, con
                            at(static_cast<float>(i + 1) / kConeSides), color, 1.5F, 1.5F});
     }
     for (int i = 0; i < kConeEdges; ++i) {
-        m_lines.push_back({light.position, at(static_cast<float>(i) / kConeEdges), color, 1.0F,
-                           1.0F});
+        m_lines.push_back(
+            {light.position, at(static_cast<float>(i) / kConeEdges), color, 1.0F, 1.0F});
     }
 }
 

@@ -90,8 +90,9 @@ ChangeResult FeatureSettings::change(const ChangeRequest& request)
     }
     const OperatorShares shares(request);
     const std::vector<FeatureId> wanted =
-        settings.takesOff ? std::vector<FeatureId>(request.ids.size(), FeatureId{0})
-                          : wantedOf(offers, shares.of(request.settings.op, "feature.value"), request);
+        settings.takesOff
+            ? std::vector<FeatureId>(request.ids.size(), FeatureId{0})
+            : wantedOf(offers, shares.of(request.settings.op, "feature.value"), request);
     result.changed = setFeature(request.edit, *kind, request.ids, wanted, request.seed);
     result.reason = StrokeReason::Unchanged;
     return result;
