@@ -3456,6 +3456,10 @@
         <source>How dark it is in corners, under people and where they sit: less of the sky is seen from there</source>
         <translation>Wie dunkel es in Ecken ist, unter Menschen und wo sie sitzen: von dort ist weniger vom Himmel zu sehen</translation>
     </message>
+    <message>
+        <source>choose…</source>
+        <translation>wählen …</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -9686,10 +9690,6 @@ Verworfen ist sie fort.</translation>
         <translation>Das gewählte Licht entfernen</translation>
     </message>
     <message>
-        <source>In the picture, while Select is chosen: drag the lamp, with Shift up and down, or what it shines on.</source>
-        <translation>Im Bild, solange „Auswählen“ gewählt ist: die Lampe ziehen, mit Umschalt auf und ab, oder das, worauf sie scheint.</translation>
-    </message>
-    <message>
         <source>Ticked: it is on. Double click or F2: rename</source>
         <translation>Angehakt: es ist an. Doppelklick oder F2: umbenennen</translation>
     </message>
@@ -9719,6 +9719,14 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Change a light</source>
         <translation>Ein Licht ändern</translation>
+    </message>
+    <message>
+        <source>In the picture, while Select is chosen: drag the lamp, with Shift up and down, or what it shines on; with Ctrl onto somebody, and it goes with him.</source>
+        <translation>Im Bild, solange „Auswählen“ gewählt ist: die Lampe ziehen, mit Umschalt auf und ab, oder das, worauf sie scheint; mit Strg auf jemanden, dann folgt sie ihm.</translation>
+    </message>
+    <message>
+        <source>In the picture, while Select is chosen: drag the lamp, with Shift up and down.</source>
+        <translation>Im Bild, solange „Auswählen“ gewählt ist: die Lampe ziehen, mit Umschalt auf und ab.</translation>
     </message>
 </context>
 <context>

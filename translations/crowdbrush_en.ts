@@ -3456,6 +3456,10 @@
         <source>How dark it is in corners, under people and where they sit: less of the sky is seen from there</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>choose…</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -9679,10 +9683,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>In the picture, while Select is chosen: drag the lamp, with Shift up and down, or what it shines on.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Ticked: it is on. Double click or F2: rename</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9711,6 +9711,14 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Change a light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the picture, while Select is chosen: drag the lamp, with Shift up and down, or what it shines on; with Ctrl onto somebody, and it goes with him.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the picture, while Select is chosen: drag the lamp, with Shift up and down.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -262,7 +262,7 @@ const WindowAction kViewActions[] = {
      },
      {.inputs = ActionInput::View,
       .isChecked =
-          [](MainWindow& w) { return w.state().viewOptions().look == render::Look::Lit; }}},
+          [](MainWindow& w) { return render::lookInfo(w.state().viewOptions().look).isLit; }}},
     {{"full-screen", QT_TRANSLATE_NOOP("Actions", "F&ull Screen"), "full-screen", "F11",
       QT_TRANSLATE_NOOP("Actions", "Fill the screen with the window"), true},
      [](MainWindow& w, bool on) {

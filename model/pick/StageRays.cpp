@@ -53,6 +53,19 @@ bool isFinite(const glm::vec3& v)
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+/// What is drawn from one side alone is not there from the other: whoever looks from behind a wall
+/// sees through it. For single rays.
+void passBackFaces(const RTCFilterFunctionNArguments* arguments)
+{
+    const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray);
+    const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
+    const float along = hit->Ng_x * ray->dir_x + hit->Ng_y * ray->dir_y + hit->Ng_z * ray->dir_z;
+    const bool isOneSided = arguments->geometryUserPtr == nullptr;
+    if (isOneSided && along > 0.0F) {
+        arguments->valid[0] = 0;
+    }
+}
+
 std::optional<SurfaceHit> groundHit(const Ray& ray, float maxDistance)
 {
     if (ray.origin.y <= 0.0F || ray.direction.y >= 0.0F) {
@@ -78,11 +91,14 @@ struct StageRays::Private
     std::uint64_t version = 0;
 
     void rebuild();
-    void addMesh(const StageMesh& mesh, const glm::mat4& worldFromStage);
-    [[nodiscard]] std::optional<SurfaceHit> stageHit(const Ray& ray, float from, float to) const;
+    void addMesh(const StageMesh& mesh, bool isTwoSided, const glm::mat4& worldFromStage);
+    /// `seen`: as it is drawn; else from both sides.
+    [[nodiscard]] std::optional<SurfaceHit> stageHit(const Ray& ray, float from, float to,
+                                                     bool isSeen) const;
 };
 
-void StageRays::Private::addMesh(const StageMesh& mesh, const glm::mat4& worldFromStage)
+void StageRays::Private::addMesh(const StageMesh& mesh, bool isTwoSided,
+                                 const glm::mat4& worldFromStage)
 {
     const std::size_t triangles = mesh.indices.size() / 3;
     if (triangles == 0 || mesh.positions.empty()) {
@@ -102,6 +118,7 @@ void StageRays::Private::addMesh(const StageMesh& mesh, const glm::mat4& worldFr
             bounds.add(vertices[i]);
         }
         std::copy_n(mesh.indices.begin(), triangles * 3, indices);
+        rtcSetGeometryUserData(geometry, isTwoSided ? this : nullptr);
         rtcCommitGeometry(geometry);
         (void)rtcAttachGeometry(scene, geometry);
     }
@@ -115,27 +132,33 @@ void StageRays::Private::rebuild()
     }
     bounds = {};
     scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST |
+                                                       RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
     for (const Placed& stage : placed) {
         StageEntry entry;
         entry.position = stage.position;
         entry.headingRadians = stage.headingRadians;
         entry.scale = stage.scale;
         for (const StageMesh& mesh : stage.asset->meshes) {
-            addMesh(mesh, entry.worldFromStage());
+            const auto material = static_cast<std::size_t>(mesh.material);
+            const bool isTwoSided = material >= stage.asset->materials.size() ||
+                                    stage.asset->materials[material].doubleSided;
+            addMesh(mesh, isTwoSided, entry.worldFromStage());
         }
     }
     rtcCommitScene(scene);
     ++version;
 }
 
-std::optional<SurfaceHit> StageRays::Private::stageHit(const Ray& ray, float from, float to) const
+std::optional<SurfaceHit> StageRays::Private::stageHit(const Ray& ray, float from, float to,
+                                                       bool isSeen) const
 {
     RTCRayHit query{};
     query.ray = rtcRay(ray, from, to);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
+    context.filter = isSeen ? &passBackFaces : nullptr;
     rtcIntersect1(scene, &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
         return std::nullopt;
@@ -187,7 +210,7 @@ const Bounds& StageRays::bounds() const
 
 std::optional<SurfaceHit> StageRays::hit(const Ray& ray, float maxDistance) const
 {
-    const auto stage = m_private->stageHit(ray, 0.0F, maxDistance);
+    const auto stage = m_private->stageHit(ray, 0.0F, maxDistance, true);
     return stage ? stage : groundHit(ray, maxDistance);
 }
 
@@ -201,6 +224,7 @@ bool StageRays::isBlocked(const glm::vec3& from, const glm::vec3& to) const
     RTCRay ray = rtcRay({from, way / length}, 0.0F, length - kGrazingMetres);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
+    context.filter = &passBackFaces;
     rtcOccluded1(m_private->scene, &context, &ray);
     return ray.tfar < 0.0F;
 }
@@ -211,7 +235,8 @@ std::vector<SurfaceHit> StageRays::below(const glm::vec3& from) const
     const Ray down{from, glm::vec3(0.0F, -1.0F, 0.0F)};
     float start = 0.0F;
     while (static_cast<int>(surfaces.size()) < kMaxSurfacesBelow) {
-        const auto next = m_private->stageHit(down, start, std::numeric_limits<float>::infinity());
+        const auto next =
+            m_private->stageHit(down, start, std::numeric_limits<float>::infinity(), false);
         if (!next) {
             break;
         }

@@ -43,10 +43,12 @@ public:
     /// Of all stages where they stand; empty without any.
     [[nodiscard]] const Bounds& bounds() const;
 
-    /// The nearest of stage and ground.
+    /// The nearest of stage and ground, as they are drawn: from behind, what has one side only is
+    /// looked through.
     [[nodiscard]] std::optional<SurfaceHit>
     hit(const Ray& ray, float maxDistance = std::numeric_limits<float>::infinity()) const;
-    /// Whether the stage (not the ground) stands between two points; grazing the end is not.
+    /// Whether the stage (not the ground) stands between two points; grazing the end is not,
+    /// nor is what is looked through from behind.
     [[nodiscard]] bool isBlocked(const glm::vec3& from, const glm::vec3& to) const;
     /// All surfaces that a vertical line meets, from the top, the ground last; at most 8.
     [[nodiscard]] std::vector<SurfaceHit> below(const glm::vec3& from) const;

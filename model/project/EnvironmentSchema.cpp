@@ -15,6 +15,7 @@
 #include "model/rules/Rule.h"
 #include "model/scene/Feature.h"
 #include "model/scene/Group.h"
+#include "model/scene/Light.h"
 #include "model/scene/Relation.h"
 
 namespace crowd::model {

@@ -163,7 +163,7 @@ constexpr auto Light::fields()
                            .sliderHigh = 50.0,
                            .step = 0.1,
                            .decimals = 1,
-                           .role = FieldRole::Point})
+                           .role = FieldRole::Space})
             .when([](const S& s, const C&) { return isAimed(s) && s.aim == LightAim::Place; }),
         field(&S::person, {.key = "person",
                            .label = QT_TRANSLATE_NOOP("Fields", "Person"),
@@ -175,7 +175,8 @@ constexpr auto Light::fields()
                           .label = QT_TRANSLATE_NOOP("Fields", "Group"),
                           .doc = "of \"group\"; 0: none",
                           .high = 4294967295.0,
-                          .role = FieldRole::Group})
+                          .role = FieldRole::Group,
+                          .zero = QT_TRANSLATE_NOOP("Fields", "choose…")})
             .when([](const S& s, const C&) { return isAimed(s) && s.aim == LightAim::Group; }),
         field(&S::position, {.key = "position",
                              .label = QT_TRANSLATE_NOOP("Fields", "Lamp"),

@@ -42,8 +42,10 @@ std::optional<glm::vec3> middleOf(const Population& people, GroupId group)
 
 std::optional<glm::vec3> aimedAt(const Light& light, const CrowdFrame* frame)
 {
-    if (!isAimed(light) || light.aim == LightAim::Place) {
-        return light.target;
+    const bool isChosen = (light.aim == LightAim::Person && light.person != 0) ||
+                          (light.aim == LightAim::Group && light.group != 0);
+    if (!isAimed(light) || !isChosen) {
+        return light.target; // also until it is said with whom it goes
     }
     if (frame == nullptr) {
         return std::nullopt;

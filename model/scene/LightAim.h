@@ -11,7 +11,7 @@
 namespace crowd::model {
 
 /// The middle of what a light shines on, where people are in that frame (null: nobody is there).
-/// Nothing: it aims at somebody, or a group, who is not there. World frame, metres.
+/// Nothing: it goes with somebody, or a group, who is gone. World frame, metres.
 [[nodiscard]] std::optional<glm::vec3> aimedAt(const Light& light, const CrowdFrame* frame);
 
 } // namespace crowd::model

@@ -13,14 +13,16 @@ namespace crowd::render {
 
 namespace {
 
-constexpr int kBeamSides = 32;
+constexpr int kBeamSides = 96;
 constexpr float kBeyond = 1.5F;      ///< a beam ends so much farther off than what it is turned to
-constexpr float kWidestHalf = 1.2F;  ///< radians; wider ones are drawn like that
+constexpr float kNarrow = 0.6F;      ///< radians of a cone that is seen as a beam
+constexpr float kWide = 1.5F;        ///< and of one that is a flood: it is not seen in the air
 constexpr float kAirLight = 0.0022F; ///< share of the light a metre away that a beam of 1 scatters
 
 bool hasBeam(const PlacedLight& light)
 {
-    return light.beam > 0.0F && light.coneRadians > 0.0F && light.reach > 0.01F;
+    return light.beam > 0.0F && light.coneRadians > 0.0F && light.coneRadians < kWide &&
+           light.reach > 0.01F;
 }
 
 void setCone(ShaderProgram& program, const PlacedLight& light)
@@ -31,9 +33,10 @@ void setCone(ShaderProgram& program, const PlacedLight& light)
     program.set("axis", light.axis);
     program.set("side", glm::normalize(glm::cross(light.axis, helper)));
     program.set("reach", light.reach * kBeyond);
-    program.set("slope", std::tan(std::min(light.coneRadians * 0.5F, kWidestHalf)));
+    program.set("slope", std::tan(light.coneRadians * 0.5F));
     program.set("sides", kBeamSides);
-    program.set("beamColor", light.color * (light.beam * kAirLight));
+    const float share = std::clamp((kWide - light.coneRadians) / (kWide - kNarrow), 0.0F, 1.0F);
+    program.set("beamColor", light.color * (light.beam * share * kAirLight));
 }
 
 } // namespace

@@ -25,7 +25,7 @@ float luminanceOf(vec3 c)
 // What a share of the full light becomes: three steps, and coarser ones where lights make more of it.
 float stepped(float level)
 {
-    float more = 1.0 + 0.5 * floor(max(level - 1.0, 0.0) * 2.0 + 0.25);
+    float more = 1.0 + 0.5 * min(floor(max(level - 1.0, 0.0) * 2.0 + 0.25), 2.0);
     return (0.42 + 0.26 * smoothstep(0.30, 0.33, level) + 0.32 * smoothstep(0.60, 0.63, level)) * more;
 }
 

@@ -53,6 +53,7 @@ crowd_add_tests(ROOM model
     tst_SceneDocument
     tst_SceneMembers
     tst_ShownText
+    tst_StageRays
     tst_States
     tst_UndoMemory
     tst_WholeFile

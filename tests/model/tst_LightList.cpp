@@ -134,6 +134,7 @@ void TestLightList::aimsAtPeopleWhereTheyAre()
     light.target = {9.0F, 9.0F, 9.0F};
     QVERIFY(aimedAt(light, &frame) == light.target);
     light.aim = LightAim::Person;
+    QVERIFY(aimedAt(light, &frame) == light.target); // nobody is chosen yet
     light.person = document.scene().population.ids()[0];
     QVERIFY(aimedAt(light, &frame).value().x == 1.0F);
     QVERIFY(aimedAt(light, &frame).value().y > 0.5F); // not at his feet

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include <QtTest/QTest>
 
@@ -185,9 +186,12 @@ void TestLights::aFollowSpotGoesWithHim()
     const int dark = at(places[1].x, places[1].z).y;
     shine(input, {light});
     QVERIFY(at(places[1].x, places[1].z).y > dark + 40);
-    light.aim = model::LightAim::Group; // all are in none
-    shine(input, {light});
     const glm::vec3 middle = (places[0] + places[1]) * 0.5F;
+    setAll(people, model::columns::group, model::GroupId{3});
+    input.frame = frameOf(people, {entryFor(m_man)});
+    light.aim = model::LightAim::Group;
+    light.group = 3;
+    shine(input, {light});
     QVERIFY(at(middle.x, middle.z).y > at(middle.x, middle.z + 2.5F).y);
 }
 

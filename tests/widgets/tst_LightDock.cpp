@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <QtTest/QTest>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
@@ -62,6 +63,7 @@ private Q_SLOTS:
     void theListSwitchesAndRenames();
     void aDragOfALightIsOneStep();
     void takesWhoeverIsSelected();
+    void groupsCanBeChosenWhenTheyCome();
     void saysWhenTheyAreTooMany();
 };
 
@@ -248,6 +250,28 @@ void TestLightDock::takesWhoeverIsSelected()
     QTest::mouseClick(take, Qt::LeftButton);
     QCOMPARE(desk.lights().front().person, made);
     QTRY_VERIFY(take->text() != nobody);
+}
+
+void TestLightDock::groupsCanBeChosenWhenTheyCome()
+{
+    LightDesk desk;
+    addLight(desk.state, model::LightKind::Spot, {});
+    changeLight(desk.state, desk.state.chosenLight(), QStringLiteral("Aim"),
+                [](model::Light& light) { light.aim = model::LightAim::Group; });
+    desk.document.edit(QStringLiteral("Group"), [](model::SceneEdit& edit) {
+        model::Group group;
+        group.id = 5;
+        group.name = "Chorus";
+        edit.setGroups({group});
+    });
+    QComboBox* box = nullptr;
+    for (auto* each : desk.form("lampForm")->findChildren<QComboBox*>()) {
+        box = each->findText(QStringLiteral("Chorus")) >= 0 ? each : box;
+    }
+    QVERIFY(box != nullptr);
+    QTRY_VERIFY(box->isVisible());
+    Q_EMIT box->activated(box->findText(QStringLiteral("Chorus")));
+    QCOMPARE(desk.lights().front().group, model::GroupId{5});
 }
 
 void TestLightDock::saysWhenTheyAreTooMany()

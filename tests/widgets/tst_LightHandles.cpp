@@ -44,6 +44,7 @@ private Q_SLOTS:
     void theLampMovesAtItsHeight();
     void shiftMovesItUpAndDown();
     void theTargetGoesOverTheGround();
+    void controlLetsItGoWithSomebody();
     void aClickOnALampChoosesIt();
     void escapeTakesADragBack();
     void handlesAreThereWhileOneIsChosen();
@@ -62,7 +63,7 @@ void TestLightHandles::aClickPlacesASpotlight()
     // Turned to what was clicked, from the side of whoever looks.
     const QPointF target = hand.pixelOf(lights[0].target);
     QVERIFY((target - crowd::testing::kCenter).manhattanLength() < 60.0);
-    QVERIFY(lights[0].position.y > lights[0].target.y + 3.0F);
+    QVERIFY(lights[0].position.y > lights[0].target.y + 0.5F);
     const glm::vec3 eye = hand.state.camera().position;
     QVERIFY(glm::distance(eye, lights[0].position) < glm::distance(eye, lights[0].target));
     hand.document.undoStack().undo();
@@ -103,6 +104,27 @@ void TestLightHandles::theTargetGoesOverTheGround()
             3.0);
     QVERIFY((hand.light().position == glm::vec3(-1.5F, 2.0F, 4.0F)));
     QVERIFY(std::abs(hand.light().target.y) < 0.2F);
+}
+
+void TestLightHandles::controlLetsItGoWithSomebody()
+{
+    LightHand hand;
+    model::IndividualId man = 0;
+    hand.document.edit(QStringLiteral("Add"), [&](model::SceneEdit& edit) {
+        auto rows = model::IndividualRows::withDefaults({0});
+        rows.column(model::columns::templateId)[0] = hand.document.scene().templates.front().id;
+        rows.column(model::columns::position)[0] = {1.2F, 0.05F, 6.0F};
+        man = edit.addIndividuals(std::move(rows)).front();
+    });
+    const QPointF from = hand.pixelOf(hand.light().target);
+    hand.modifiers = Qt::ControlModifier;
+    hand.drag(from, hand.pixelOf(man));
+    QVERIFY(hand.light().aim == model::LightAim::Person);
+    QCOMPARE(hand.light().person, man);
+    // And back to a place, from where it is seen on him.
+    hand.modifiers = Qt::NoModifier;
+    hand.drag(hand.pixelOf(man), hand.pixelOf(man) + QPointF(0.0, 90.0));
+    QVERIFY(hand.light().aim == model::LightAim::Place);
 }
 
 void TestLightHandles::aClickOnALampChoosesIt()

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include <QtCore/QCoreApplication>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "model/document/SceneEdit.h"
 #include "widgets/state/BrushTexts.h"
@@ -27,10 +29,24 @@ QString freeLightName(const Lights& lights, LightKind kind)
 {
     const QString plain = fieldText(model::kLightKinds[static_cast<std::size_t>(kind)].label);
     for (std::size_t number = 1;; ++number) {
-        const QString name = plain + QLatin1Char(' ') + QString::number(number);
+        QString name = plain + QLatin1Char(' ') + QString::number(number);
         if (std::ranges::find(lights, name.toStdString(), &Light::name) == lights.end()) {
             return name;
         }
+    }
+}
+
+/// Nearer to what it lights until its lamp is in the picture, to be taken hold of there.
+void bringIntoView(const EditorState& state, Light& light)
+{
+    constexpr float kLeastMetres = 1.5F;
+    const model::View view(state.camera(), state.viewSize());
+    const auto isSeen = [&] {
+        const auto at = view.project(light.position);
+        return at && at->x > 0.0F && at->y > 0.0F && at->x < view.size().x && at->y < view.size().y;
+    };
+    while (!isSeen() && glm::distance(light.position, light.target) > kLeastMetres) {
+        light.position = glm::mix(light.target, light.position, 0.8F);
     }
 }
 
@@ -46,6 +62,7 @@ LightId addLight(EditorState& state, LightKind kind, const glm::vec3& lit)
 {
     Lights lights = state.scene().lights;
     Light light = newLight(kind, lit, state.camera().position);
+    bringIntoView(state, light);
     light.id = freeLightId(lights);
     if (light.id == 0) {
         state.showStatus(LightText::tr("A scene has at most %1 lights: remove one first.")

@@ -91,7 +91,8 @@ glm::vec3 offsetOfCopies(const EditorState& state, std::span<const IndividualId>
     glm::vec3 best{0.0F};
     int mostFree = -1;
     for (int i = 0; i < kBesideRings * kBesideSides; ++i) {
-        const float metres = kBesideMetres * static_cast<float>(1 + i / kBesideSides);
+        const int ring = 1 + i / kBesideSides;
+        const float metres = kBesideMetres * static_cast<float>(ring);
         const float angle = start + 2.0F * std::numbers::pi_v<float> *
                                         static_cast<float>(i % kBesideSides) / kBesideSides;
         const glm::vec3 offset = metres * glm::vec3(std::sin(angle), 0.0F, std::cos(angle));

@@ -54,9 +54,11 @@ LightDock::LightDock(EditorState& state, QWidget* parent)
     layout->addWidget(makeButtons());
     layout->addWidget(m_list);
     layout->addWidget(m_note);
-    makeForms();
+    makeSunForm();
     layout->addWidget(m_sunForm);
-    layout->addWidget(m_lightForm);
+    m_lightPlace = new QVBoxLayout;
+    layout->addLayout(m_lightPlace);
+    makeLightForm();
     setScrolledContent(content);
     connectParts();
     fill();
@@ -112,36 +114,57 @@ QWidget* LightDock::makeReady()
     return button;
 }
 
-void LightDock::makeForms()
+void LightDock::makeSunForm()
 {
-    static const Light kNone;
-    const auto context = [this] { return model::FieldContext{&m_state.scene(), nullptr}; };
-    m_sunForm = new FieldForm({[this]() -> const void* { return &m_state.scene().lighting; },
-                               [this](const auto& apply) { changeLighting(apply); }, context},
-                              QStringLiteral("light"), &m_state, this);
+    const FormTarget target{[this]() -> const void* { return &m_state.scene().lighting; },
+                            [this](const auto& apply) { changeLighting(apply); },
+                            [this] {
+                                return model::FieldContext{&m_state.scene(), nullptr};
+                            }};
+    m_sunForm = new FieldForm(target, QStringLiteral("light"), &m_state, this);
     m_sunForm->setObjectName(QStringLiteral("lightForm"));
     m_sunForm->addFields(model::fieldsOf<model::Lighting>());
-    m_lightForm = new FieldForm({[this]() -> const void* {
-                                     const Light* chosen = model::findLight(m_state.scene().lights,
-                                                                            m_state.chosenLight());
-                                     return chosen != nullptr ? chosen : &kNone;
-                                 },
-                                 [this](const auto& apply) { changeLight(apply); }, context},
-                                QStringLiteral("lamp"), &m_state, this);
+    m_sunForm->finish();
+    connect(m_sunForm, &FieldForm::held, this, &LightDock::hold);
+}
+
+void LightDock::makeLightForm()
+{
+    delete m_lightForm;
+    const FormTarget target{[this]() -> const void* { return &shownLight(); },
+                            [this](const auto& apply) { changeLight(apply); },
+                            [this] {
+                                return model::FieldContext{&m_state.scene(), nullptr};
+                            }};
+    m_lightForm = new FieldForm(target, QStringLiteral("lamp"), &m_state, this);
     m_lightForm->setObjectName(QStringLiteral("lampForm"));
     m_lightForm->addFields(model::fieldsOf<Light>());
     m_lightForm->addNote(tr("In the picture, while Select is chosen: drag the lamp, with Shift up "
-                            "and down, or what it shines on."));
-    for (FieldForm* form : {m_sunForm, m_lightForm}) {
-        form->finish();
-        connect(form, &FieldForm::held, this, &LightDock::hold);
-    }
+                            "and down, or what it shines on; with Ctrl onto somebody, and it goes "
+                            "with him."),
+                         [this] { return isAimed(shownLight()); });
+    m_lightForm->addNote(tr("In the picture, while Select is chosen: drag the lamp, with Shift up "
+                            "and down."),
+                         [this] { return !isAimed(shownLight()); });
+    m_lightForm->finish();
+    connect(m_lightForm, &FieldForm::held, this, &LightDock::hold);
+    m_lightPlace->addWidget(m_lightForm);
+}
+
+const Light& LightDock::shownLight() const
+{
+    static const Light kNone;
+    const Light* chosen = model::findLight(m_state.scene().lights, m_state.chosenLight());
+    return chosen != nullptr ? *chosen : kNone;
 }
 
 void LightDock::connectParts()
 {
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
+                if (isOneOf<model::GroupsChanged, model::SceneReplaced>(change)) {
+                    makeLightForm(); // its lists are those of now
+                }
                 if (isOneOf<model::LightsChanged, model::SceneReplaced>(change)) {
                     fill();
                 } else if (isOneOf<model::LightingChanged, model::GroupsChanged,

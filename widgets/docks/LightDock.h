@@ -10,6 +10,7 @@
 class QLabel;
 class QListWidget;
 class QListWidgetItem;
+class QVBoxLayout;
 
 namespace crowd::widgets {
 
@@ -28,7 +29,9 @@ public:
 private:
     [[nodiscard]] QWidget* makeButtons();
     [[nodiscard]] QWidget* makeReady();
-    void makeForms();
+    void makeSunForm();
+    void makeLightForm(); ///< anew where there is one
+    [[nodiscard]] const model::Light& shownLight() const;
     void connectParts();
     void fill();
     void addRow(const QString& name, model::LightId id, const model::Light* light);
@@ -49,6 +52,7 @@ private:
     QWidget* m_ready = nullptr;
     FieldForm* m_sunForm = nullptr;
     FieldForm* m_lightForm = nullptr;
+    QVBoxLayout* m_lightPlace = nullptr;
     bool m_isFilling = false;
 };
 

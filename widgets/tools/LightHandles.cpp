@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/document/SceneEdit.h"
+#include "model/scene/LightAim.h"
 #include "widgets/commands/LightCommands.h"
 
 namespace crowd::widgets {
@@ -32,11 +33,6 @@ bool isNear(const model::View& view, const glm::vec3& point, const QPointF& pixe
 {
     const auto seen = view.project(point);
     return seen && QLineF(pixel, QPointF(seen->x, seen->y)).length() < kLightHandlePixels;
-}
-
-bool hasTarget(const Light& light)
-{
-    return isAimed(light) && light.aim == model::LightAim::Place;
 }
 
 /// Where a ray meets a plane through a point; nothing where it runs along it or away.
@@ -66,12 +62,21 @@ public:
         if (!m_edit && (isStill || !begin())) {
             return;
         }
+        if (m_hit.isTarget && input.modifiers.testFlag(Qt::ControlModifier)) {
+            follow(input);
+            return;
+        }
         const auto place = placeUnder(input);
         if (!place) {
             return;
         }
         m_edit->setLights(withLight(m_context.state.scene().lights, m_hit.light, [&](Light& light) {
-            (m_hit.isTarget ? light.target : light.position) = *place;
+            if (m_hit.isTarget) {
+                light.aim = model::LightAim::Place;
+                light.target = *place;
+            } else {
+                light.position = *place;
+            }
         }));
     }
 
@@ -111,6 +116,20 @@ private:
         m_edit = std::move(edit).value();
         m_context.state.chooseLight(m_hit.light);
         return true;
+    }
+
+    /// Whoever is under the pointer has the light with him from now on.
+    void follow(const ToolInput& input)
+    {
+        const auto hit = m_context.queries.picker(input.pointer.shownSeconds)
+                             .individualAt(input.pointer.pixels());
+        if (!hit) {
+            return;
+        }
+        m_edit->setLights(withLight(m_context.state.scene().lights, m_hit.light, [&](Light& light) {
+            light.aim = model::LightAim::Person;
+            light.person = hit->id;
+        }));
     }
 
     [[nodiscard]] std::optional<glm::vec3> placeUnder(const ToolInput& input)
@@ -157,7 +176,10 @@ std::optional<LightHit> lightAt(const ToolContext& context, const QPointF& pixel
     const model::View view = context.queries.view();
     std::optional<LightHit> hit;
     for (const Light& light : context.state.scene().lights) {
-        if (light.id == chosen && hasTarget(light) && isNear(view, light.target, pixel)) {
+        const auto target = light.id == chosen && isAimed(light)
+                                ? aimedAt(light, context.state.frame().get())
+                                : std::nullopt;
+        if (target && isNear(view, *target, pixel)) {
             return LightHit{light.id, true};
         }
         if (isNear(view, light.position, pixel) && (!hit || light.id == chosen)) {

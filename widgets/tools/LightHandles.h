@@ -20,7 +20,8 @@ struct LightHit
 /// The chosen light's target or the lamp of any; nothing while none is chosen.
 [[nodiscard]] std::optional<LightHit> lightAt(const ToolContext& context, const QPointF& pixel);
 /// Press on a light: a click chooses it, a drag moves its lamp at the height at which it hangs
-/// (with Shift up and down), or its target over what is under the pointer: one undo step.
+/// (with Shift up and down), or its target over what is under the pointer (with Ctrl
+/// onto somebody, with whom it goes then): one undo step.
 [[nodiscard]] DragSessionPtr lightDrag(const ToolContext& context, const ToolInput& press,
                                        const LightHit& hit);
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "render/RenderInput.h"
 #include "widgets/state/EditorState.h"
 
 namespace crowd::widgets {
