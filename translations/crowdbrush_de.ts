@@ -5370,10 +5370,6 @@
         <translation>Niemand ist ausgewählt.</translation>
     </message>
     <message>
-        <source>The selected are related to nobody else.</source>
-        <translation>Die Ausgewählten sind mit niemandem sonst verbunden.</translation>
-    </message>
-    <message>
         <source>Nobody is selected: there is nobody to duplicate.</source>
         <translation>Niemand ist ausgewählt: es gibt niemanden zu duplizieren.</translation>
     </message>
@@ -5393,6 +5389,17 @@
         <translation>
             <numerusform>„%1“ ist entfernt, mit %n Beziehung dieser Art</numerusform>
             <numerusform>„%1“ ist entfernt, mit %n Beziehungen dieser Art</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody else is related so to the selected.</source>
+        <translation>Niemand sonst steht so in Beziehung zu den Ausgewählten.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more are selected now</source>
+        <translation>
+            <numerusform>%n weiterer ist jetzt ausgewählt</numerusform>
+            <numerusform>%n weitere sind jetzt ausgewählt</numerusform>
         </translation>
     </message>
 </context>

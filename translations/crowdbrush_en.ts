@@ -5370,10 +5370,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The selected are related to nobody else.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Nobody is selected: there is nobody to duplicate.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5393,6 +5389,17 @@
         <translation>
             <numerusform>“%1” is gone, and %n relation of that kind with it</numerusform>
             <numerusform>“%1” is gone, and %n relations of that kind with it</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody else is related so to the selected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more are selected now</source>
+        <translation>
+            <numerusform>%n more is selected now</numerusform>
+            <numerusform>%n more are selected now</numerusform>
         </translation>
     </message>
 </context>

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <QtCore/QCoreApplication>
+#include <glm/common.hpp>
 
 #include "model/brush/NeighbourGrid.h"
 #include "model/document/SceneEdit.h"
@@ -72,6 +73,18 @@ int countFree(const model::NeighbourGrid& grid, std::span<const glm::vec3> place
         places, [&](const glm::vec3& at) { return grid.isFree({at + offset}); }));
 }
 
+/// The larger of width and depth.
+float extentOf(std::span<const glm::vec3> places)
+{
+    glm::vec3 low = places.front();
+    glm::vec3 high = low;
+    for (const glm::vec3& at : places) {
+        low = glm::min(low, at);
+        high = glm::max(high, at);
+    }
+    return std::max(high.x - low.x, high.z - low.z);
+}
+
 /// Beside them as they are seen, or farther or elsewhere around where others stand there.
 glm::vec3 offsetOfCopies(const EditorState& state, std::span<const IndividualId> ids)
 {
@@ -88,11 +101,14 @@ glm::vec3 offsetOfCopies(const EditorState& state, std::span<const IndividualId>
     }
     const glm::vec3 right = state.camera().orientation * glm::vec3(1.0F, 0.0F, 0.0F);
     const float start = std::atan2(right.x, right.z);
+    // A group goes beside itself as a whole, as far as that is near.
+    constexpr float kMostBeside = 8.0F;
+    const float beside = kBesideMetres + std::min(extentOf(places), kMostBeside);
     glm::vec3 best{0.0F};
     int mostFree = -1;
     for (int i = 0; i < kBesideRings * kBesideSides; ++i) {
         const int ring = 1 + i / kBesideSides;
-        const float metres = kBesideMetres * static_cast<float>(ring);
+        const float metres = beside + kBesideMetres * static_cast<float>(ring - 1);
         const float angle = start + 2.0F * std::numbers::pi_v<float> *
                                         static_cast<float>(i % kBesideSides) / kBesideSides;
         const glm::vec3 offset = metres * glm::vec3(std::sin(angle), 0.0F, std::cos(angle));
@@ -233,10 +249,12 @@ void growSelectionToRelated(EditorState& state, RelationKindId kind)
     if (grown.size() == people.size()) {
         state.showStatus(people.empty()
                              ? RelationText::tr("Nobody is selected.")
-                             : RelationText::tr("The selected are related to nobody else."));
+                             : RelationText::tr("Nobody else is related so to the selected."));
         return;
     }
     state.selection().set(grown);
+    state.showStatus(RelationText::tr("%n more are selected now", nullptr,
+                                      static_cast<int>(grown.size() - people.size())));
 }
 
 void duplicateSelection(EditorState& state)

@@ -148,7 +148,7 @@ QWidget* FeaturesDock::valueButtons()
         chosenRow->addWidget(button);
     };
     addButton("copy", tr("Duplicate the chosen value"), "duplicateFeature",
-              [this](model::FeatureId id) { (void)duplicateFeature(m_state, id); });
+              [this](model::FeatureId id) { duplicate(id); });
     addButton("to-brush", tr("Give the chosen value to who is selected, or to all where nobody is"),
               "giveFeature", [this](model::FeatureId id) { giveFeature(m_state, id); });
     addButton("select-all", tr("Select who bears the chosen value"), "selectBearers",
@@ -158,6 +158,16 @@ QWidget* FeaturesDock::valueButtons()
               [this](model::FeatureId id) { removeFeature(m_state, id); });
     layout->addWidget(m_valueButtons, 1);
     return row;
+}
+
+/// What is changed next is the copy.
+void FeaturesDock::duplicate(model::FeatureId id)
+{
+    const model::FeatureId made = duplicateFeature(m_state, id);
+    if (made != 0) {
+        fill();
+        edit(made);
+    }
 }
 
 void FeaturesDock::connectParts()
@@ -485,8 +495,7 @@ void FeaturesDock::fillMenu(QMenu& menu, model::FeatureId id)
     menu.addAction(tr("Select who bears it"), this, [this, id] { selectBearers(m_state, id); });
     menu.addSeparator();
     menu.addAction(tr("Rename"), this, [this, id] { edit(id); });
-    menu.addAction(iconNamed("copy"), tr("Duplicate"), this,
-                   [this, id] { (void)duplicateFeature(m_state, id); });
+    menu.addAction(iconNamed("copy"), tr("Duplicate"), this, [this, id] { duplicate(id); });
     menu.addAction(tr("Up"), this, [this, id] { moveFeature(m_state, id, -1); })
         ->setEnabled(row > 0);
     menu.addAction(tr("Down"), this, [this, id] { moveFeature(m_state, id, 1); })

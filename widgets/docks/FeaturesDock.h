@@ -50,6 +50,7 @@ private:
     void showMenu(const QPoint& position);
     void fillMenu(QMenu& menu, model::FeatureId id);
     void edit(model::FeatureId id);
+    void duplicate(model::FeatureId id);
     void renameShownKind();
     void exportShown();
     void importFile();
