@@ -174,7 +174,7 @@ void LightDock::connectParts()
             });
     connect(&m_state.document(), &model::SceneDocument::editInterrupted, this,
             [this] { m_edit.reset(); });
-    connect(&m_state, &EditorState::lightChosen, this, &LightDock::fill);
+    connect(&m_state, &EditorState::lightChosen, this, &LightDock::markChosen);
     connect(m_list, &QListWidget::currentRowChanged, this, &LightDock::choose);
     connect(m_list, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
         if (!m_isFilling) {
@@ -208,9 +208,6 @@ void LightDock::fill()
     for (const Light& light : lights) {
         addRow(QString::fromStdString(light.name), light.id, &light);
     }
-    const auto chosen = std::ranges::find(lights, m_state.chosenLight(), &Light::id);
-    m_list->setCurrentRow(chosen == lights.end() ? 0
-                                                 : static_cast<int>(chosen - lights.begin()) + 1);
     m_isFilling = false;
     const int rows = std::min(m_list->count(), kLightRows);
     m_list->setFixedHeight(rows * m_list->sizeHintForRow(0) + 2 * m_list->frameWidth() + 4);
@@ -219,6 +216,18 @@ void LightDock::fill()
     m_note->setText(
         tr("%n lights are on; the strongest %1 of them shine.", nullptr, static_cast<int>(on))
             .arg(model::kMostLightsDrawn));
+    markChosen();
+}
+
+/// The rows stay: somebody may be about to rename one.
+void LightDock::markChosen()
+{
+    const model::Lights& lights = m_state.scene().lights;
+    const auto chosen = std::ranges::find(lights, m_state.chosenLight(), &Light::id);
+    const int row = chosen == lights.end() ? 0 : static_cast<int>(chosen - lights.begin()) + 1;
+    m_isFilling = true;
+    m_list->setCurrentRow(std::min(row, m_list->count() - 1));
+    m_isFilling = false;
     showChosen();
 }
 

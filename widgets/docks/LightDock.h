@@ -35,7 +35,8 @@ private:
     void connectParts();
     void fill();
     void addRow(const QString& name, model::LightId id, const model::Light* light);
-    void choose(); ///< as the list says
+    void choose();     ///< as the list says
+    void markChosen(); ///< in the list
     void showChosen();
     void takeItem(const QListWidgetItem& item);
     void changeLighting(const std::function<void(void*)>& apply);
