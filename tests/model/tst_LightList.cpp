@@ -2,11 +2,13 @@
 #include <QtTest/QTest>
 
 #include "model/document/SceneEdit.h"
-#include "model/project/ProjectFile.h"
+#include "model/project/ProjectReader.h"
 #include "model/scene/LightAim.h"
+#include "tests/model/ProjectText.h"
 #include "tests/program/Test.h"
 
 using namespace crowd::model;
+using crowd::testing::projectText;
 
 namespace {
 

@@ -199,6 +199,11 @@ void TestFeaturesDock::addsDuplicatesRenamesAndRemoves()
     desk.press(QStringLiteral("duplicateFeature"));
     QTRY_COMPARE(desk.names().size(), 9);
     QCOMPARE(desk.names()[2], QStringLiteral("sad 2"));
+    // The copy is chosen, and its name open.
+    QTRY_VERIFY(desk.list()->findChild<QLineEdit*>() != nullptr);
+    QCOMPARE(desk.list()->currentItem()->text(), QStringLiteral("sad 2"));
+    QTest::keyClick(desk.list()->findChild<QLineEdit*>(), Qt::Key_Escape);
+    QTRY_VERIFY(desk.list()->findChild<QLineEdit*>() == nullptr);
     desk.choose("sad 2");
     desk.list()->currentItem()->setText(QStringLiteral("happy")); // there is one
     QVERIFY2(desk.said.contains(QStringLiteral("already")), qPrintable(desk.said));
