@@ -92,9 +92,7 @@ struct StageRays::Private
 
     void rebuild();
     void addMesh(const StageMesh& mesh, bool isTwoSided, const glm::mat4& worldFromStage);
-    /// `seen`: as it is drawn; else from both sides.
-    [[nodiscard]] std::optional<SurfaceHit> stageHit(const Ray& ray, float from, float to,
-                                                     bool isSeen) const;
+    [[nodiscard]] std::optional<SurfaceHit> stageHit(const Ray& ray, float from, float to) const;
 };
 
 void StageRays::Private::addMesh(const StageMesh& mesh, bool isTwoSided,
@@ -150,15 +148,13 @@ void StageRays::Private::rebuild()
     ++version;
 }
 
-std::optional<SurfaceHit> StageRays::Private::stageHit(const Ray& ray, float from, float to,
-                                                       bool isSeen) const
+std::optional<SurfaceHit> StageRays::Private::stageHit(const Ray& ray, float from, float to) const
 {
     RTCRayHit query{};
     query.ray = rtcRay(ray, from, to);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    context.filter = isSeen ? &passBackFaces : nullptr;
     rtcIntersect1(scene, &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
         return std::nullopt;
@@ -210,7 +206,7 @@ const Bounds& StageRays::bounds() const
 
 std::optional<SurfaceHit> StageRays::hit(const Ray& ray, float maxDistance) const
 {
-    const auto stage = m_private->stageHit(ray, 0.0F, maxDistance, true);
+    const auto stage = m_private->stageHit(ray, 0.0F, maxDistance);
     return stage ? stage : groundHit(ray, maxDistance);
 }
 
@@ -235,8 +231,7 @@ std::vector<SurfaceHit> StageRays::below(const glm::vec3& from) const
     const Ray down{from, glm::vec3(0.0F, -1.0F, 0.0F)};
     float start = 0.0F;
     while (static_cast<int>(surfaces.size()) < kMaxSurfacesBelow) {
-        const auto next =
-            m_private->stageHit(down, start, std::numeric_limits<float>::infinity(), false);
+        const auto next = m_private->stageHit(down, start, std::numeric_limits<float>::infinity());
         if (!next) {
             break;
         }

@@ -43,8 +43,8 @@ public:
     /// Of all stages where they stand; empty without any.
     [[nodiscard]] const Bounds& bounds() const;
 
-    /// The nearest of stage and ground, as they are drawn: from behind, what has one side only is
-    /// looked through.
+    /// The nearest of stage and ground, from whichever side: who walks asks what is above him from
+    /// within a wall too.
     [[nodiscard]] std::optional<SurfaceHit>
     hit(const Ray& ray, float maxDistance = std::numeric_limits<float>::infinity()) const;
     /// Whether the stage (not the ground) stands between two points; grazing the end is not,
