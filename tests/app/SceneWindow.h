@@ -61,6 +61,9 @@ protected:
         QSignalSpy opened(&m_window->files(), &app::FileController::sceneOpened);
         m_window->files().openPath(pathOf(name));
         QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
+        // On a busy machine it has shown how far it is, in a window of its own.
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
     }
     [[nodiscard]] QString pathOf(const QString& name) const { return m_folder->filePath(name); }
     [[nodiscard]] model::SceneDocument& document() const { return m_window->document(); }
