@@ -27,6 +27,7 @@ Light newLight(LightKind kind, const glm::vec3& lit, const glm::vec3& seenFrom)
         light.position = lit + glm::vec3(0.0F, kPointMetres, 0.0F);
         return light;
     }
+    light.castsShadows = true;
     light.target.y += kAimMetres;
     const glm::vec3 way = (seenFrom - lit) * glm::vec3(1.0F, 0.0F, 1.0F);
     const float length = glm::length(way);

@@ -31,6 +31,8 @@ enum class LightAim : std::uint8_t { Place, Person, Group };
 inline constexpr std::size_t kMostLights = 1000;
 /// So many are drawn: the strongest of those that are on.
 inline constexpr std::size_t kMostLightsDrawn = 16;
+/// So many of these cast shadows: the strongest of those that are to.
+inline constexpr std::size_t kMostLightShadows = 4;
 /// Where a light of strength 1 is as bright as a sun of strength 1; nearer it is brighter by the
 /// square of the distance.
 inline constexpr float kLightMetres = 10.0F;
@@ -51,6 +53,7 @@ struct Light
     float coneRadians = 0.44F;    ///< from edge to edge
     float softness = 0.3F;        ///< share of the cone in which it fades out
     float beam = 0.15F;           ///< how much of it is seen in the air
+    bool castsShadows = false;    ///< people and stages stand in its light
     std::string unknownMembers{}; ///< see Scene::unknownMembers
 
     static constexpr auto fields();
@@ -147,6 +150,14 @@ constexpr auto Light::fields()
                          .step = 5.0,
                          .decimals = 0,
                          .shownScale = 100.0})
+            .when(hasCone),
+        field(&S::castsShadows,
+              {.key = "shadows",
+               .label = QT_TRANSLATE_NOOP("Fields", "Shadows"),
+               .tip = QT_TRANSLATE_NOOP("Fields", "People and stages stand in its light. The four "
+                                                  "strongest lights that are to cast shadows do."),
+               .doc = "people and stages cast shadows in its light; of those that are to, the four "
+                      "strongest do"})
             .when(hasCone),
         field(&S::aim, {.key = "aim",
                         .label = QT_TRANSLATE_NOOP("Fields", "Aims at"),

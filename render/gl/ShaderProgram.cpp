@@ -156,4 +156,10 @@ void ShaderProgram::set(const char* name, std::span<const glm::vec4> values)
                  reinterpret_cast<const GLfloat*>(values.data()));
 }
 
+void ShaderProgram::set(const char* name, std::span<const glm::mat4> values)
+{
+    glUniformMatrix4fv(location(name), static_cast<GLsizei>(values.size()), GL_FALSE,
+                       reinterpret_cast<const GLfloat*>(values.data()));
+}
+
 } // namespace crowd::render

@@ -36,6 +36,7 @@ public:
     void set(const char* name, const glm::vec4& value);
     void set(const char* name, const glm::mat4& value);
     void set(const char* name, std::span<const glm::vec4> values); ///< an array
+    void set(const char* name, std::span<const glm::mat4> values);
 
 private:
     [[nodiscard]] int location(const char* name);

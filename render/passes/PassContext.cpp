@@ -39,14 +39,21 @@ void PassContext::setLights(ShaderProgram& program) const
     std::vector<glm::vec4> places;
     std::vector<glm::vec4> axes;
     std::vector<glm::vec4> colors;
+    const std::vector<float>& offsets = lightShadows.offsets;
     for (const PlacedLight& light : style.lights) {
+        const std::size_t index = colors.size();
         places.emplace_back(light.position, light.edgeSlope);
         axes.emplace_back(light.axis, light.edgeCosine);
-        colors.emplace_back(light.color, 0.0F);
+        colors.emplace_back(light.color, index < offsets.size() ? offsets[index] : 0.0F);
     }
     program.set("lightPlaces[0]", places);
     program.set("lightAxes[0]", axes);
     program.set("lightColors[0]", colors);
+    if (!lightShadows.mapsFromWorld.empty()) {
+        program.set("lightShadowMap", kLightShadowUnit);
+        program.set("lightMaps[0]", lightShadows.mapsFromWorld);
+        program.set("lightShadowSpread", lightShadows.spread);
+    }
 }
 
 void PassContext::countDraw(std::int64_t triangles) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -21,7 +22,16 @@ struct ReceivedShadows
     float offset = 0.0F;    ///< metres along the normal at which they look
 };
 
-inline constexpr int kShadowUnit = 12; ///< texture unit of the sun's map
+/// What surfaces need to look at the map of the lights that cast shadows, in their order.
+struct LightShadows
+{
+    std::vector<glm::mat4> mapsFromWorld; ///< perspective: to be divided
+    std::vector<float> offsets; ///< metres along the normal at which they look, a metre away
+    float spread = 0.0F;        ///< half the width of edges, on the map
+};
+
+inline constexpr int kShadowUnit = 12;      ///< texture unit of the sun's map
+inline constexpr int kLightShadowUnit = 13; ///< and of the lights'
 
 /// What every pass of a picture shares; lives for one draw().
 struct PassContext
@@ -32,7 +42,8 @@ struct PassContext
     glm::ivec2 pixelSize;
     bool isSoftware = false; ///< llvmpipe: work is handed over in small pieces
     RenderStatistics& statistics;
-    ReceivedShadows shadows{}; ///< where style.castsShadows()
+    ReceivedShadows shadows{};   ///< where style.castsShadows()
+    LightShadows lightShadows{}; ///< where style.castingLights > 0
 
     /// Camera and light of a program in use.
     void setCommon(ShaderProgram& program) const;

@@ -27,6 +27,7 @@ struct PassInfo
     model::Result<void> (*draw)(Passes&, const PassContext&);
     Mark mark = Mark::None;
     bool (*isNeeded)(const PassContext&) = nullptr; ///< null: always
+    bool isMesh = false;                            ///< of triangles whose edges a look may want
 };
 
 bool hasPeople(const PassContext& context)
@@ -38,8 +39,9 @@ bool hasPeople(const PassContext& context)
 /// them; what is seen through comes after what is not.
 constexpr PassInfo kPasses[] = {
     {"people", [](Passes& p, const PassContext& c) { return p.people.draw(c, p.crowd, p.seen); },
-     Mark::People, &hasPeople},
-    {"stage", [](Passes& p, const PassContext& c) { return p.stage.draw(c); }, Mark::Others},
+     Mark::People, &hasPeople, true},
+    {"stage", [](Passes& p, const PassContext& c) { return p.stage.draw(c); }, Mark::Others,
+     nullptr, true},
     {"ground", [](Passes& p, const PassContext& c) { return p.background.drawGround(c); },
      Mark::Others, [](const PassContext& c) { return c.style.hasGround; }},
     {"occlusion",
@@ -61,10 +63,11 @@ constexpr PassInfo kPasses[] = {
          return model::Result<void>();
      },
      Mark::None, [](const PassContext& c) { return hasPeople(c) && c.style.blobStrength > 0.0F; }},
-    {"see-through stage", [](Passes& p, const PassContext& c) { return p.stage.drawBlended(c); }},
+    {"see-through stage", [](Passes& p, const PassContext& c) { return p.stage.drawBlended(c); },
+     Mark::None, nullptr, true},
     {"see-through people",
      [](Passes& p, const PassContext& c) { return p.people.drawSeeThrough(c, p.crowd, p.seen); },
-     Mark::None, &hasPeople},
+     Mark::None, &hasPeople, true},
     {"beams", [](Passes& p, const PassContext& c) { return p.beams.draw(c); }, Mark::None,
      &BeamPass::isNeeded},
     {"overlay",
@@ -102,6 +105,7 @@ model::Result<void> Passes::initialize()
     seen.initialize();
     ghosts.initialize();
     shadows.initialize();
+    lightShadows.initialize();
     background.initialize();
     beams.initialize();
     occlusion.initialize();
@@ -134,16 +138,32 @@ void Passes::prepare(const PassContext& context)
     statistics.areKeyframesMissing = seen.planned().areKeyframesMissing();
 }
 
+model::Result<void> Passes::drawShadows(PassContext& context)
+{
+    const bool isSunNeeded = context.style.castsShadows();
+    const bool areLightsNeeded = LightShadowPass::isNeeded(context);
+    model::Result<void> drawn;
+    if (isSunNeeded) {
+        drawn = shadows.draw(context, crowd);
+    } else {
+        shadows.rest();
+    }
+    if (areLightsNeeded && drawn) {
+        drawn = lightShadows.draw(context, crowd);
+    } else {
+        lightShadows.rest();
+    }
+    if (isSunNeeded || areLightsNeeded) {
+        target.bind();
+    }
+    return drawn;
+}
+
 model::Result<void> Passes::draw(PassContext context)
 {
     prepare(context);
-    if (context.style.castsShadows()) {
-        if (auto drawn = shadows.draw(context, crowd); !drawn) {
-            return drawn;
-        }
-        target.bind();
-    } else {
-        shadows.rest();
+    if (auto drawn = drawShadows(context); !drawn) {
+        return drawn;
     }
     clear(context);
     for (const PassInfo& pass : kPasses) {
@@ -151,7 +171,11 @@ model::Result<void> Passes::draw(PassContext context)
             continue;
         }
         setMark(context.input, pass.mark);
-        if (auto drawn = pass.draw(*this, context); !drawn) {
+        const bool isWire = context.style.isWire && pass.isMesh;
+        glPolygonMode(GL_FRONT_AND_BACK, isWire ? GL_LINE : GL_FILL);
+        auto drawn = pass.draw(*this, context);
+        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+        if (!drawn) {
             return model::Error{QT_TRANSLATE_NOOP("Messages", "Drawing the %1 failed. %2"),
                                 pass.name, drawn.error().said};
         }

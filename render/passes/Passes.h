@@ -11,6 +11,7 @@
 #include "render/passes/BlobPass.h"
 #include "render/passes/GhostPass.h"
 #include "render/passes/InkPass.h"
+#include "render/passes/LightShadowPass.h"
 #include "render/passes/OcclusionPass.h"
 #include "render/passes/OutlinePass.h"
 #include "render/passes/OverlayPass.h"
@@ -34,6 +35,7 @@ struct Passes
     BlobPass blobs;
     StagePass stage;
     ShadowPass shadows{peopleDrawing, stage};
+    LightShadowPass lightShadows{peopleDrawing, stage};
     BackgroundPass background;
     DepthCopy depths; ///< of what is solid
     OcclusionPass occlusion;
@@ -51,6 +53,8 @@ struct Passes
 
 private:
     void prepare(const PassContext& context);
+    /// What the light does not reach; the target is bound afterwards.
+    [[nodiscard]] model::Result<void> drawShadows(PassContext& context);
 };
 
 } // namespace crowd::render

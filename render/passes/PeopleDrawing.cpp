@@ -40,6 +40,9 @@ void PeopleDrawing::setUniforms(const PassContext& context, const CrowdDraw& dra
     shader.set("choicesPerSlot", gpu.choicesPerSlot());
     shader.set("tintableSlots", gpu.tintableSlots());
     shader.set("opacity", drawing.opacity);
+    if (context.style.paint) {
+        shader.set("paint", context.style.paint->people);
+    }
 }
 
 void PeopleDrawing::drawGroup(const PassContext& context, const MeshGroup& group,

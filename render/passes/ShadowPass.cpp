@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <epoxy/gl.h>
+
+#include "model/base/Bounds.h"
+#include "render/passes/CasterDrawing.h"
 
 namespace crowd::render {
 
@@ -26,8 +28,6 @@ constexpr float kCasterMetres = 2.0F;
 constexpr float kOffsetTexels = 1.5F;
 /// From here on soft edges take more taps.
 constexpr float kSoftTexels = 1.5F;
-/// Texels of the map in which people are as tall as the levels' thresholds want.
-constexpr LevelThresholds kShadowLevels{{90.0F, 45.0F, 22.0F}, 0.0F};
 
 Bounds boundsOf(const PassContext& context)
 {
@@ -95,57 +95,24 @@ std::optional<SunView> ShadowPass::sunView(const PassContext& context) const
                       mapPixels(context.pixelSize));
 }
 
-/// Into the map, which begins with it.
-Result<void> ShadowPass::drawStages(const PassContext& context, const SunView& sun, int pixels)
+void ShadowPass::tell(PassContext& context, const SunView& sun) const
 {
-    StillStages now{sun.clipFromWorld, pixels, {}};
-    for (const StageEntry& entry : context.input.stages) {
-        if (entry.asset) {
-            now.stages.push_back({entry.asset, entry.worldFromStage()});
-        }
-    }
-    const bool isStill = now == m_last;
-    m_isKept = m_isKept && isStill;
-    m_last = std::move(now);
-    if (isStill && !m_isKept && m_kept.begin(pixels)) {
-        if (auto drawn = m_stage.drawCasters(context); !drawn) {
-            return drawn;
-        }
-        m_isKept = true;
-    }
-    m_isOffered = m_target.begin(pixels, m_isKept ? &m_kept : nullptr);
-    return m_isKept || !m_isOffered ? Result<void>() : m_stage.drawCasters(context);
-}
-
-Result<void> ShadowPass::drawPeople(const PassContext& context, CrowdGpu& crowd, const SunView& sun)
-{
-    if (!context.input.frame) {
-        return {};
-    }
-    m_seen.plan({*context.input.frame, sun.view, 1.0F, kShadowLevels}, crowd);
-    m_seen.uploadSolid();
-    const PeopleDrawing::CrowdDraw drawing{crowd.rows(), m_seen.instances(), "", 1.0F,
-                                           Surface::Caster};
-    for (const InstanceRun& run : m_seen.runs()) {
-        if (auto drawn = m_people.draw(context, drawing, crowd.gpuOf(run.entry), run); !drawn) {
-            return drawn;
-        }
-    }
-    return {};
-}
-
-void ShadowPass::rest()
-{
-    constexpr int kFramesBeforeForgetting = 60; // as stages go
-    if (++m_framesAtRest > kFramesBeforeForgetting) {
-        m_last = {};
-        m_isKept = false;
-    }
+    m_target.bindTexture(kShadowUnit);
+    glActiveTexture(GL_TEXTURE0);
+    const float metres = std::tan(context.style.shadowSoftness * 0.5F) * kCasterMetres;
+    const float texels = std::max(metres / sun.texelMetres, 0.5F);
+    context.shadows = {sun.mapFromWorld, texels * sun.texelMetres / sun.metres,
+                       sun.texelMetres * kOffsetTexels};
+    // Without anti-aliasing a hard edge is as good as its texels.
+    const bool isQuick = context.isSoftware && context.input.samples == 0;
+    const bool isSoft = texels > kSoftTexels;
+    context.style.surfaceDefines += isQuick && !isSoft  ? "SHADOWED "
+                                    : isQuick == isSoft ? "SHADOWED TAPS4 "
+                                                        : "SHADOWED TAPS8 ";
 }
 
 Result<void> ShadowPass::draw(PassContext& context, CrowdGpu& crowd)
 {
-    m_framesAtRest = 0;
     const auto sun = sunView(context);
     if (!sun) {
         context.style.shadowStrength = 0.0F;
@@ -156,25 +123,21 @@ Result<void> ShadowPass::draw(PassContext& context, CrowdGpu& crowd)
     casting.style.shadowStrength = 0.0F;
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5F, 4.0F);
-    auto drawn = drawStages(casting, *sun, mapPixels(context.pixelSize));
-    drawn = drawn && m_isOffered ? drawPeople(casting, crowd, *sun) : drawn;
-    glDisable(GL_POLYGON_OFFSET_FILL);
-    if (!m_isOffered) {
-        context.style.shadowStrength = 0.0F;
-        return drawn;
+    const auto begun =
+        m_still.begin(m_target, mapPixels(context.pixelSize), casting, {&sun->clipFromWorld, 1},
+                      [&] { return m_stage.drawCasters(casting); });
+    Result<void> drawn = begun ? Result<void>() : begun.error();
+    if (begun && begun.value() && context.input.frame) {
+        m_seen.plan({*context.input.frame, sun->view, 1.0F, kShadowLevels}, crowd);
+        m_seen.uploadSolid();
+        drawn = drawCasters(casting, m_people, crowd, m_seen);
     }
-    m_target.bindTexture(kShadowUnit);
-    glActiveTexture(GL_TEXTURE0);
-    const float metres = std::tan(context.style.shadowSoftness * 0.5F) * kCasterMetres;
-    const float texels = std::max(metres / sun->texelMetres, 0.5F);
-    context.shadows = {sun->mapFromWorld, texels * sun->texelMetres / sun->metres,
-                       sun->texelMetres * kOffsetTexels};
-    // Without anti-aliasing a hard edge is as good as its texels.
-    const bool isQuick = context.isSoftware && context.input.samples == 0;
-    const bool isSoft = texels > kSoftTexels;
-    context.style.surfaceDefines += isQuick && !isSoft  ? "SHADOWED "
-                                    : isQuick == isSoft ? "SHADOWED TAPS4 "
-                                                        : "SHADOWED TAPS8 ";
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    if (begun && begun.value()) {
+        tell(context, *sun);
+    } else {
+        context.style.shadowStrength = 0.0F;
+    }
     return drawn;
 }
 

@@ -183,6 +183,9 @@ Result<void> StagePass::drawBatch(const PassContext& context, const Gpu& gpu, co
     ShaderProgram& shader = *built.value();
     shader.use();
     context.setCommon(shader);
+    if (context.style.paint) {
+        shader.set("paint", context.style.paint->stage);
+    }
     shader.set("worldFromStage", matrix);
     shader.set("emissive", material.emissive);
     shader.set("unlit", material.unlit ? 1.0F : 0.0F);

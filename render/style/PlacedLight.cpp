@@ -9,6 +9,7 @@
 
 #include "model/base/Color.h"
 #include "model/scene/LightAim.h"
+#include "render/shadow/LampView.h"
 
 namespace crowd::render {
 
@@ -33,12 +34,24 @@ PlacedLight placed(const Light& light, const glm::vec3& target)
     made.coneRadians = light.coneRadians;
     made.beam = light.beam;
     made.reach = length;
+    made.castsShadows = light.castsShadows && light.coneRadians <= kWidestCasterRadians;
     made.axis = length > 1e-4F ? back / length : glm::vec3(0.0F, 1.0F, 0.0F);
     const float half = light.coneRadians * 0.5F;
     made.edgeCosine = std::cos(half);
     const float full = std::cos(half * (1.0F - std::max(light.softness, kSharpest)));
     made.edgeSlope = 1.0F / std::max(full - made.edgeCosine, 1e-6F);
     return made;
+}
+
+void castersFirst(std::vector<PlacedLight>& lights)
+{
+    const auto strength = [](const PlacedLight& light) {
+        return light.castsShadows ? glm::dot(light.color, glm::vec3(1.0F)) : -1.0F;
+    };
+    std::ranges::stable_sort(lights, std::ranges::greater(), strength);
+    for (std::size_t i = kMostLightShadows; i < lights.size(); ++i) {
+        lights[i].castsShadows = false;
+    }
 }
 
 } // namespace
@@ -62,7 +75,13 @@ std::vector<PlacedLight> placedLights(std::span<const Light> lights, const Crowd
             made.push_back(placed(*light, *target));
         }
     }
+    castersFirst(made);
     return made;
+}
+
+std::size_t castersOf(std::span<const PlacedLight> lights)
+{
+    return static_cast<std::size_t>(std::ranges::count(lights, true, &PlacedLight::castsShadows));
 }
 
 } // namespace crowd::render

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -22,11 +23,17 @@ struct PlacedLight
     float coneRadians = 0.0F; ///< from edge to edge; 0: none
     float beam = 0.0F;        ///< share of it that is seen in the air
     float reach = 0.0F;       ///< metres to what it is turned to
+    bool castsShadows = false;
 };
 
-/// Where those that are on shine to, with people where a frame has them; the strongest first where
-/// they are more than model::kMostLightsDrawn. Those that aim at nobody who is there are left out.
+/// Where those that are on shine to, with people where a frame has them; the strongest of them
+/// where they are more than model::kMostLightsDrawn. Those that aim at nobody who is there are left
+/// out. First those that cast shadows: the strongest of those that are to, at most
+/// model::kMostLightShadows.
 [[nodiscard]] std::vector<PlacedLight> placedLights(std::span<const model::Light> lights,
                                                     const model::CrowdFrame* frame);
+
+/// How many of the first cast shadows.
+[[nodiscard]] std::size_t castersOf(std::span<const PlacedLight> lights);
 
 } // namespace crowd::render

@@ -21,6 +21,23 @@ bool isCasting(const model::Lighting& light)
            std::sin(light.sunElevationRadians) > kLowest;
 }
 
+glm::vec3 linearOf(std::uint32_t rgb)
+{
+    const glm::vec3 srgb(static_cast<float>(rgb >> 16U & 0xFFU),
+                         static_cast<float>(rgb >> 8U & 0xFFU), static_cast<float>(rgb & 0xFFU));
+    return model::linearFromSrgb(srgb * (1.0F / 255.0F));
+}
+
+/// `skyShare`: of a bright sky that is seen at this hour.
+void usePaint(Style& style, const LookPaint& paint, float skyShare)
+{
+    style.paint = Style::Paint{linearOf(paint.people), linearOf(paint.stage)};
+    style.surfaceDefines += "PAINTED ";
+    style.light.ground = linearOf(paint.ground);
+    style.light.horizon = style.light.zenith = linearOf(paint.sky) * skyShare;
+    style.inkColor = linearOf(paint.ink);
+}
+
 } // namespace
 
 Style Style::of(const RenderInput& input)
@@ -29,16 +46,25 @@ Style Style::of(const RenderInput& input)
     Style style;
     style.surfaceDefines = look.defines;
     style.light = LinearLight::from(input.lighting);
+    style.inkPixels = look.inkPixels;
+    style.isWire = look.isWire;
+    if (look.paint != nullptr) {
+        const glm::vec3 ground = style.light.onGround();
+        const float level = std::max({ground.x, ground.y, ground.z});
+        usePaint(style, *look.paint, look.isLit ? std::min(level, 1.0F) : 1.0F);
+    }
     style.hasSky = input.background.w <= 0.0F && !input.isTransparent;
     style.hasGround = input.showGround && !input.isTransparent;
     style.hasGrid = input.lighting.showGroundGrid;
     if (look.isLit) {
         style.lights = placedLights(input.lights, input.frame.get());
         style.tone = Tone::from(input.lighting);
-        style.inkPixels = look.inkPixels;
         // Soft darkness is not drawn with ink.
         const bool isSoft = input.showShadows && look.inkPixels <= 0.0F;
         style.occlusion = isSoft ? input.lighting.occlusion : 0.0F;
+    }
+    if (input.showShadows) {
+        style.castingLights = castersOf(style.lights);
     }
     if (!style.lights.empty()) {
         style.surfaceDefines += "LIGHTS=" + std::to_string(style.lights.size()) + ' ';
@@ -49,7 +75,8 @@ Style Style::of(const RenderInput& input)
                                     : model::linearFromSrgb(glm::vec3(input.background));
     style.groundColor =
         style.light.ground * (look.isLit ? style.light.onGround() : glm::vec3(1.0F));
-    style.blobStrength = input.showShadows ? style.blobStrength : 0.0F;
+    const bool isFlat = look.paint != nullptr && !look.isLit;
+    style.blobStrength = input.showShadows && !isFlat ? style.blobStrength : 0.0F;
     if (look.isLit && input.showShadows && isCasting(input.lighting)) {
         style.shadowStrength = input.lighting.shadowStrength;
         style.shadowSoftness = input.lighting.shadowSoftnessRadians;

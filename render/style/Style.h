@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,17 @@ struct Style
     std::string surfaceDefines; ///< that shaders of people and stages are compiled with
     LinearLight light;
     std::vector<PlacedLight> lights; ///< that stand in the scene; none where the look has no light
+    std::size_t castingLights = 0;   ///< so many of the first cast shadows
     glm::vec3 clearColor{0.0F};      ///< where nothing is drawn
     Tone tone;
+    /// One colour for all people and one for all stages, instead of their materials.
+    struct Paint
+    {
+        glm::vec3 people{0.5F};
+        glm::vec3 stage{0.5F};
+    };
+    std::optional<Paint> paint;
+    bool isWire = false; ///< edges of triangles
     bool hasSky = true;
     bool hasGround = true;
     bool hasGrid = true;

@@ -70,7 +70,9 @@ void main()
 #endif
 #ifdef TEXTURED
     vec4 texel = texture(images, textureUv);
+#ifndef PAINTED
     result.rgb *= srgbToLinear(texel.rgb);
+#endif
 #ifdef SEPARATE_MASK
     result.a *= texel.a;
     float mask = maskLayer < 0.0 ? 1.0 : texture(images, vec3(textureUv.xy, maskLayer)).r;

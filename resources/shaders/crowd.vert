@@ -15,6 +15,9 @@ uniform mat4 viewProjection;
 uniform uint verticesPerKeyframe;
 uniform int choicesPerSlot;
 uniform uint tintableSlots; // bit per slot
+#ifdef PAINTED
+uniform vec3 paint; // of everybody, whatever he is made of
+#endif
 
 const uint kRowMask = 0x00FFFFFFu;
 const uint kSelectedBit = 0x80000000u;
@@ -146,6 +149,9 @@ void main()
     }
 #endif
     vec4 base = texelFetch(materials, material) * vertexColor;
+#ifdef PAINTED
+    base.rgb = paint;
+#endif
     vec3 light = lightAt(n);
     vec3 others = vec3(0.0);
 #ifdef LIGHTS
@@ -158,12 +164,20 @@ void main()
 #if defined(TEXTURED) || defined(SPECIAL) || defined(CUTOUT)
     vec4 properties = texelFetch(materials, material + 1); // layer, mask layer, cutoff, unlit
 #endif
+#ifdef PAINTED
+#if defined(TEXTURED) || defined(SPECIAL) || defined(CUTOUT)
+    properties.w = 0.0;
+#endif
+#endif
 #ifdef SPECIAL
     light = mix(light, vec3(1.0), properties.w);
 #ifdef SHADOWED
     shadowed.w = mix(shadowed.w, 1.0, properties.w);
 #endif
     vec4 emission = texelFetch(materials, material + 4); // layer in w
+#ifdef PAINTED
+    emission.rgb = vec3(0.0);
+#endif
     emissive = emission.rgb;
 #endif
 #ifdef GLOWING
@@ -173,7 +187,11 @@ void main()
 #ifdef CARTOON
     level = levelOf(light);
 #endif
+#ifdef PAINTED
+    vec4 slotTint = vec4(1.0, 1.0, 1.0, 0.0);
+#else
     vec4 slotTint = tintOf(row * 3, slot);
+#endif
     vec3 tint = mix(vec3(1.0), slotTint.rgb, slotTint.w);
 #ifdef REPLACED
     // The tint itself, lighter and darker as the base colour is around its mean.

@@ -13,7 +13,32 @@ float hazeAt(vec3 world)
 // LIGHTS: their number, known when it is compiled, so that the loop is none.
 uniform vec4 lightPlaces[LIGHTS]; // where they are; brightness per cosine within the edge of the cone
 uniform vec4 lightAxes[LIGHTS];   // towards the lamp, 0 for all sides; cosine of the edge
-uniform vec4 lightColors[LIGHTS]; // a metre away
+uniform vec4 lightColors[LIGHTS]; // a metre away; how far from the surface its shadow is asked for there
+
+#ifdef LIGHT_SHADOWS
+// LIGHT_SHADOWS: so many of the first cast some. Their maps lie side by side on one.
+uniform mat4 lightMaps[LIGHT_SHADOWS];
+uniform sampler2DShadow lightShadowMap;
+uniform float lightShadowSpread;
+
+// The share of a light that gets there, so many metres away.
+float lightLeft(int light, vec3 world, vec3 normal, float away)
+{
+    vec4 place = lightMaps[light] * vec4(world + normal * (lightColors[light].w * away), 1.0);
+    vec3 at = place.xyz / place.w;
+#ifdef LIGHT_TAPS4
+    // A turned square of taps, each of which blends four texels.
+    vec2 a = lightShadowSpread * vec2(0.92, 0.38);
+    vec2 b = lightShadowSpread * vec2(-0.38, 0.92);
+    return 0.25 * (textureLod(lightShadowMap, vec3(at.xy + a, at.z), 0.0) +
+                   textureLod(lightShadowMap, vec3(at.xy - a, at.z), 0.0) +
+                   textureLod(lightShadowMap, vec3(at.xy + b, at.z), 0.0) +
+                   textureLod(lightShadowMap, vec3(at.xy - b, at.z), 0.0));
+#else
+    return textureLod(lightShadowMap, at, 0.0);
+#endif
+}
+#endif
 
 vec3 lightsAt(vec3 world, vec3 normal)
 {
@@ -23,7 +48,13 @@ vec3 lightsAt(vec3 world, vec3 normal)
         float perSquare = 1.0 / max(dot(way, way), 0.25);
         vec3 towards = way * sqrt(perSquare);
         float cone = clamp((dot(towards, lightAxes[i].xyz) - lightAxes[i].w) * lightPlaces[i].w, 0.0, 1.0);
-        sum += lightColors[i].rgb * (max(dot(normal, towards), 0.0) * perSquare * cone * cone);
+        float share = max(dot(normal, towards), 0.0) * perSquare * cone * cone;
+#ifdef LIGHT_SHADOWS
+        if (i < LIGHT_SHADOWS && share > 0.0) {
+            share *= lightLeft(min(i, LIGHT_SHADOWS - 1), world, normal, 1.0 / sqrt(perSquare));
+        }
+#endif
+        sum += lightColors[i].rgb * share;
     }
     return sum;
 }

@@ -49,7 +49,11 @@ void main()
     result.rgb = cartoonOf(result.rgb, share);
 #endif
 #ifdef TEXTURED
+#ifdef PAINTED
+    result.a *= texture(image, textureUv).a;
+#else
     result *= texture(image, textureUv);
+#endif
 #ifdef GLOWING
     result.rgb += glow * texture(glowImage, glowUv).rgb;
 #else

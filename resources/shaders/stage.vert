@@ -10,6 +10,9 @@ uniform mat4 worldFromStage;
 uniform vec4 baseColor;
 uniform vec3 emissive;
 uniform float unlit;
+#ifdef PAINTED
+uniform vec3 paint; // of all stages, whatever they are made of
+#endif
 uniform vec3 uvRowU;
 uniform vec3 uvRowV;
 
@@ -47,12 +50,20 @@ void main()
 #endif
     vec3 n = normalize(mat3(worldFromStage) * normal);
     vec4 base = baseColor * vertexColor;
-    vec3 light = mix(lightAt(n), vec3(1.0), unlit);
+#ifdef PAINTED
+    base.rgb = paint;
+    float own = 0.0;
+    vec3 glowing = vec3(0.0);
+#else
+    float own = unlit; // share of its colour that needs no light
+    vec3 glowing = emissive;
+#endif
+    vec3 light = mix(lightAt(n), vec3(1.0), own);
 #ifdef SHADOWED
-    shadowed = shadowedOf(world.xyz, n, unlit, vec3(0.0));
+    shadowed = shadowedOf(world.xyz, n, own, vec3(0.0));
 #endif
 #ifdef LIGHTS
-    surface = base.rgb * (1.0 - unlit);
+    surface = base.rgb * (1.0 - own);
     worldPlace = world.xyz;
     worldNormal = n;
 #endif
@@ -62,9 +73,9 @@ void main()
     color = vec4(base.rgb * light, base.a);
 #ifdef TEXTURED
     textureUv = vec2(dot(uvRowU, vec3(uv, 1.0)), dot(uvRowV, vec3(uv, 1.0)));
-    glow = emissive;
+    glow = glowing;
 #else
-    color.rgb += emissive;
+    color.rgb += glowing;
 #endif
 #ifdef GLOWING
     glowUv = vec2(dot(glowRowU, vec3(uv, 1.0)), dot(glowRowV, vec3(uv, 1.0)));

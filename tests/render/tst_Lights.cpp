@@ -31,6 +31,38 @@ model::Light spotOn(const glm::vec3& target)
 
 } // namespace
 
+/// A board a metre wide and deep, so high above a place of the ground.
+model::StageEntry boardOver(float x, float z, float height)
+{
+    auto stage = std::make_shared<model::StageAsset>();
+    stage->materials.emplace_back();
+    model::StageMesh board;
+    board.positions = {{x - 0.5F, height, z + 0.5F},
+                       {x + 0.5F, height, z + 0.5F},
+                       {x + 0.5F, height, z - 0.5F},
+                       {x - 0.5F, height, z - 0.5F}};
+    board.normals.assign(4, glm::vec3(0, 1, 0));
+    board.uv.assign(4, glm::vec2(0));
+    board.indices = {0, 1, 2, 0, 2, 3};
+    for (const glm::vec3& corner : board.positions) {
+        stage->bounds.add(corner);
+    }
+    stage->meshes.push_back(board);
+    model::StageEntry entry;
+    entry.asset = stage;
+    return entry;
+}
+
+/// From the left, 45 degrees high: what is two metres up throws its shadow two to the right.
+model::Light slanting(float x, float z)
+{
+    model::Light light = spotOn({x, 0.0F, z});
+    light.position += glm::vec3(-10.0F, 0.0F, 0.0F);
+    light.coneRadians = 0.5F;
+    light.castsShadows = true;
+    return light;
+}
+
 /// Lights that stand in the scene, by what they do to pictures.
 class TestLights : public PictureBench
 {
@@ -46,7 +78,11 @@ private Q_SLOTS:
     void stagesAndPeopleAreLit();
     void aFollowSpotGoesWithHim();
     void theStrongestShine();
+    void stagesStandInTheLight();
+    void peopleStandInTheLight();
+    void theStrongestCast();
     void oddOnesDoNoHarm();
+    void oddCastersDoNoHarm();
 
 private:
     [[nodiscard]] render::RenderInput night();
@@ -208,6 +244,81 @@ void TestLights::theStrongestShine()
     QVERIFY(at(2.0F, 2.0F).y > at(0.0F, 0.0F).y + 60);
 }
 
+void TestLights::stagesStandInTheLight()
+{
+    render::RenderInput input = night();
+    const model::StageEntry board = boardOver(-1.0F, 1.0F, 2.0F);
+    input.stages = {&board, 1};
+    model::Light light = slanting(0.0F, 1.0F);
+    light.castsShadows = false;
+    shine(input, {});
+    const int dark = at(1.0F, 1.0F).y;
+    shine(input, {light});
+    const int lit = at(1.0F, 1.0F).y;
+    QVERIFY(lit > dark + 50);
+    light.castsShadows = true;
+    for (int picture = 0; picture < 3; ++picture) { // also when what stands still is kept
+        shine(input, {light});
+        QVERIFY2(at(1.0F, 1.0F).y <= dark + 2, qPrintable(QString::number(at(1.0F, 1.0F).y)));
+        QVERIFY(std::abs(at(1.0F, -0.2F).y - at(1.0F, 2.2F).y) < 12); // beside it
+        QVERIFY(at(1.0F, -0.2F).y > dark + 40);
+        QVERIFY(at(-1.0F, 1.0F).y > dark + 40); // the board itself is lit
+    }
+    // The lamp is moved, and the shadow moves.
+    light.position.x = 10.0F;
+    shine(input, {light});
+    QVERIFY(at(1.0F, 1.0F).y > dark + 40);
+    QVERIFY2(at(-3.2F, 1.0F).y <= dark + 2, qPrintable(QString::number(at(-3.2F, 1.0F).y)));
+    input.showShadows = false;
+    shine(input, {light});
+    QVERIFY(at(-3.2F, 1.0F).y > dark + 10);
+}
+
+void TestLights::peopleStandInTheLight()
+{
+    render::RenderInput input = night();
+    model::Light light = slanting(0.5F, 0.0F);
+    shine(input, {light});
+    const int lit = at(0.9F, 0.0F).y;
+    input.frame = frameOf(makeRow(1), {entryFor(m_man)});
+    for (const float pixels : {0.0F, 1e6F}) { // the finest level, and the coarsest
+        input.levels = {{pixels, pixels, pixels}, 0.0F};
+        shine(input, {light});
+        QVERIFY2(at(0.9F, 0.0F).y < lit - 40, qPrintable(QString::number(at(0.9F, 0.0F).y)));
+        QVERIFY(std::abs(at(0.9F, 1.5F).y - at(0.9F, -1.5F).y) < 12);
+        QVERIFY(at(0.9F, 1.5F).y > lit - 40);
+    }
+    // Who stands in the shadow of a board is dark, too.
+    const model::StageEntry board = boardOver(-2.1F, 0.0F, 3.9F);
+    light.castsShadows = false;
+    shine(input, {light});
+    const int face = at(0.0F, 0.0F).y;
+    input.stages = {&board, 1};
+    light.castsShadows = true;
+    shine(input, {light});
+    QVERIFY2(at(0.0F, 0.0F).y < face - 30, qPrintable(QString::number(at(0.0F, 0.0F).y)));
+}
+
+void TestLights::theStrongestCast()
+{
+    render::RenderInput input = night();
+    const model::StageEntry board = boardOver(-1.0F, 1.0F, 2.0F);
+    input.stages = {&board, 1};
+    std::vector<model::Light> lights;
+    for (int i = 0; i < 8; ++i) { // beside it, and stronger
+        lights.push_back(spotOn({-3.0F, 0.0F, -3.0F}));
+        lights.back().castsShadows = i != 0;
+        lights.back().strength = 0.61F;
+    }
+    lights.push_back(slanting(0.0F, 1.0F));
+    shine(input, lights);
+    const int lit = at(1.0F, 1.0F).y;
+    lights[2].castsShadows = lights[3].castsShadows = lights[4].castsShadows = false;
+    lights[5].castsShadows = false;
+    shine(input, lights); // three of them are left
+    QVERIFY(at(1.0F, 1.0F).y < lit - 40);
+}
+
 void TestLights::oddOnesDoNoHarm()
 {
     model::Light inside = spotOn({0.0F, 0.0F, 0.0F}); // the lamp where it is turned to
@@ -222,6 +333,25 @@ void TestLights::oddOnesDoNoHarm()
     shine(night(), {inside, wide, black, strong, far});
     QVERIFY(at(3.0F, 3.0F).y == 255);
     QVERIFY(at(-2.0F, 2.0F).y > 0 && at(-2.0F, 2.0F).y < 255);
+}
+
+void TestLights::oddCastersDoNoHarm()
+{
+    render::RenderInput input = night();
+    input.frame = frameOf(makeRow(1), {entryFor(m_man)});
+    shine(input, {slanting(0.5F, 0.0F)});
+    const int shadowed = at(0.9F, 0.0F).y;
+    model::Light inside = slanting(3.0F, 3.0F); // the lamp where it is turned to
+    inside.position = inside.target;
+    model::Light wide = slanting(0.0F, 0.0F);
+    wide.coneRadians = 3.0F;
+    wide.strength = 0.01F;
+    model::Light narrow = slanting(-3.0F, 3.0F);
+    narrow.coneRadians = 0.01F;
+    model::Light far = slanting(1e6F, -1e6F);
+    shine(input, {inside, wide, narrow, far, slanting(0.5F, 0.0F)});
+    QVERIFY2(std::abs(at(0.9F, 0.0F).y - shadowed) < 30,
+             qPrintable(QString::number(at(0.9F, 0.0F).y)));
 }
 
 CROWD_TEST(TestLights)

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "render/passes/LightShadowPass.h"
+
+#include <algorithm>
+#include <string>
+
+#include <epoxy/gl.h>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "render/passes/CasterDrawing.h"
+
+namespace crowd::render {
+
+namespace {
+
+using namespace model;
+
+constexpr int kFewestPartPixels = 256;
+constexpr int kMostPartPixels = 2048;
+constexpr float kLampOffsetTexels = 1.5F;
+constexpr float kSpreadTexels = 1.2F;
+
+/// Parts beside each other, and above each other.
+int partsAcross(std::size_t lamps)
+{
+    return lamps > 1 ? 2 : 1;
+}
+
+/// Half of what the picture has, in steps: a cone fills a part of the picture.
+int partPixels(glm::ivec2 picture)
+{
+    constexpr int kStep = 128;
+    const int wanted = std::max(picture.x, picture.y) / 2;
+    return std::clamp((wanted + kStep - 1) / kStep * kStep, kFewestPartPixels, kMostPartPixels);
+}
+
+/// 0..1 within a part of the map, and 0..1 of depth.
+glm::mat4 mapFromClip(std::size_t lamp, int across)
+{
+    const float share = 1.0F / static_cast<float>(across);
+    const auto index = static_cast<int>(lamp);
+    const glm::vec3 corner(static_cast<float>(index % across) * share,
+                           static_cast<float>(index / across) * share, 0.0F);
+    const glm::vec3 half(0.5F * share, 0.5F * share, 0.5F);
+    return glm::scale(glm::translate(glm::mat4(1.0F), corner + half), half);
+}
+
+} // namespace
+
+void LightShadowPass::initialize()
+{
+    m_seen.initialize();
+}
+
+bool LightShadowPass::isNeeded(const PassContext& context)
+{
+    return context.style.castingLights > 0;
+}
+
+template<class Draw>
+Result<void> LightShadowPass::forEachLamp(const Draw& draw) const
+{
+    const int across = partsAcross(m_lamps.size());
+    for (std::size_t i = 0; i < m_lamps.size(); ++i) {
+        const auto index = static_cast<int>(i);
+        glViewport(index % across * m_pixels, index / across * m_pixels, m_pixels, m_pixels);
+        if (auto drawn = draw(m_lamps[i]); !drawn) {
+            return drawn;
+        }
+    }
+    return {};
+}
+
+Result<void> LightShadowPass::drawPeople(const PassContext& casting, CrowdGpu& crowd,
+                                         const LampView& lamp)
+{
+    m_seen.plan({*casting.input.frame, lamp.view, 1.0F, kShadowLevels}, crowd);
+    m_seen.uploadSolid();
+    return drawCasters(casting, m_people, crowd, m_seen);
+}
+
+/// Where the shaders find each on the map.
+void LightShadowPass::tell(PassContext& context) const
+{
+    const int across = partsAcross(m_lamps.size());
+    LightShadows& told = context.lightShadows;
+    told = {};
+    for (std::size_t i = 0; i < m_lamps.size(); ++i) {
+        told.mapsFromWorld.push_back(mapFromClip(i, across) * m_lamps[i].clipFromWorld);
+        told.offsets.push_back(m_lamps[i].texelSlope * kLampOffsetTexels);
+    }
+    told.spread = kSpreadTexels / static_cast<float>(m_pixels * across);
+    context.style.surfaceDefines += "LIGHT_SHADOWS=" + std::to_string(m_lamps.size()) + ' ';
+    // Without anti-aliasing a hard edge is as good as its texels.
+    const bool isQuick = context.isSoftware && context.input.samples == 0;
+    context.style.surfaceDefines += isQuick ? "" : "LIGHT_TAPS4 ";
+}
+
+Result<void> LightShadowPass::draw(PassContext& context, CrowdGpu& crowd)
+{
+    m_pixels = partPixels(context.pixelSize);
+    m_lamps.clear();
+    std::vector<glm::mat4> views;
+    for (std::size_t i = 0; i < context.style.castingLights; ++i) {
+        m_lamps.push_back(lampView(context.style.lights[i], m_pixels));
+        views.push_back(m_lamps.back().clipFromWorld);
+    }
+    PassContext casting = context;
+    casting.style.shadowStrength = 0.0F;
+    casting.style.lights.clear();
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.5F, 4.0F);
+    const auto through = [&casting](const LampView& lamp) -> const PassContext& {
+        casting.viewProjection = lamp.clipFromWorld;
+        return casting;
+    };
+    const auto begun =
+        m_still.begin(m_target, m_pixels * partsAcross(m_lamps.size()), context, views, [&] {
+            return forEachLamp(
+                [&](const LampView& lamp) { return m_stage.drawCasters(through(lamp)); });
+        });
+    Result<void> drawn = begun ? Result<void>() : begun.error();
+    if (begun && begun.value() && context.input.frame) {
+        drawn = forEachLamp(
+            [&](const LampView& lamp) { return drawPeople(through(lamp), crowd, lamp); });
+    }
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    if (begun && begun.value()) {
+        m_target.bindTexture(kLightShadowUnit);
+        glActiveTexture(GL_TEXTURE0);
+        tell(context);
+    } else {
+        context.style.castingLights = 0;
+    }
+    return drawn;
+}
+
+} // namespace crowd::render
