@@ -2161,10 +2161,6 @@
         <translation>Wie oft niedrige (links) bis hohe Werte (rechts) vorkommen: zeichnen; ein Doppelklick macht alle gleich</translation>
     </message>
     <message>
-        <source>From the lower to the higher values along the line.</source>
-        <translation>Vom niedrigen zum hohen Wert entlang der Linie.</translation>
-    </message>
-    <message>
         <source>Clips</source>
         <translation>Clips</translation>
     </message>
@@ -2191,10 +2187,6 @@
     <message>
         <source>Speed</source>
         <translation>Tempo</translation>
-    </message>
-    <message>
-        <source>From the first to the last colour along the line.</source>
-        <translation>Von der ersten zur letzten Farbe entlang der Linie.</translation>
     </message>
     <message>
         <source>Multiply</source>
@@ -2357,10 +2349,6 @@
         <translation>Zahl</translation>
     </message>
     <message>
-        <source>They face along the line that is drawn.</source>
-        <translation>Sie sehen entlang der gezogenen Linie.</translation>
-    </message>
-    <message>
         <source>Each click adds a place, Enter ends the path; a click on its first place closes it. The next click begins another one.</source>
         <translation>Jeder Klick fügt einen Ort hinzu, Eingabe beendet den Weg; ein Klick auf seinen ersten Ort schließt ihn. Der nächste Klick beginnt einen neuen.</translation>
     </message>
@@ -2461,10 +2449,6 @@
         <translation>Umfang ändern</translation>
     </message>
     <message>
-        <source>From the slower to the faster along the line.</source>
-        <translation>Entlang der Linie vom Langsameren zum Schnelleren.</translation>
-    </message>
-    <message>
         <source>Change how they walk</source>
         <translation>Gangart ändern</translation>
     </message>
@@ -2559,10 +2543,6 @@
     <message>
         <source>Operator</source>
         <translation>Operator</translation>
-    </message>
-    <message>
-        <source>From the first to the last material along the line.</source>
-        <translation>Vom ersten zum letzten Material entlang der Linie.</translation>
     </message>
     <message>
         <source>Material</source>
@@ -2711,10 +2691,6 @@
     <message>
         <source>Clips, colours, materials and parts of the same names stay.</source>
         <translation>Clips, Farben, Materialien und Teile mit denselben Namen bleiben.</translation>
-    </message>
-    <message>
-        <source>From the first to the last template along the line.</source>
-        <translation>Von der ersten zur letzten Vorlage entlang der Linie.</translation>
     </message>
     <message>
         <source>Who they become, by the operator</source>
@@ -2949,10 +2925,6 @@
         <translation>Alles, was er enthält</translation>
     </message>
     <message>
-        <source>From the first to the last value along the line.</source>
-        <translation>Vom ersten zum letzten Wert entlang der Linie.</translation>
-    </message>
-    <message>
         <source>Feature</source>
         <translation>Merkmal</translation>
     </message>
@@ -3091,14 +3063,6 @@
     <message>
         <source>Each to the one before on the way of the brush</source>
         <translation>Jeder mit dem vorigen auf dem Weg des Pinsels</translation>
-    </message>
-    <message>
-        <source>Families</source>
-        <translation>Familien</translation>
-    </message>
-    <message>
-        <source>A few of the nearest become one: two of another look, and smaller ones with them</source>
-        <translation>Einige der Nächsten werden eine: zwei von verschiedenem Aussehen und kleinere dazu</translation>
     </message>
     <message>
         <source>Some around</source>
@@ -3460,6 +3424,46 @@
         <source>choose…</source>
         <translation>wählen …</translation>
     </message>
+    <message>
+        <source>Drag a line: from the lower to the higher values along it.</source>
+        <translation>Eine Linie ziehen: entlang ihr von den niedrigeren zu den höheren Werten.</translation>
+    </message>
+    <message>
+        <source>Drag a line: from the first to the last colour along it.</source>
+        <translation>Eine Linie ziehen: entlang ihr von der ersten zur letzten Farbe.</translation>
+    </message>
+    <message>
+        <source>Drag a line: from the first to the last value along it.</source>
+        <translation>Eine Linie ziehen: entlang ihr vom ersten zum letzten Wert.</translation>
+    </message>
+    <message>
+        <source>Drag a line: from the first to the last material along it.</source>
+        <translation>Eine Linie ziehen: entlang ihr vom ersten zum letzten Material.</translation>
+    </message>
+    <message>
+        <source>Drag a line: they face along it.</source>
+        <translation>Eine Linie ziehen: Sie blicken in ihre Richtung.</translation>
+    </message>
+    <message>
+        <source>Small groups</source>
+        <translation>Kleine Gruppen</translation>
+    </message>
+    <message>
+        <source>A few of the nearest are related with one another, as families are: two of another look, and smaller ones with them</source>
+        <translation>Einige der Nächsten stehen miteinander in Beziehung, so wie Familien: zwei, die verschieden aussehen, und Kleinere bei ihnen</translation>
+    </message>
+    <message>
+        <source>Drag a line: from the slower to the faster along it.</source>
+        <translation>Eine Linie ziehen: entlang ihr von den langsameren zu den schnelleren.</translation>
+    </message>
+    <message>
+        <source>Drag a line: from the first to the last template along it.</source>
+        <translation>Eine Linie ziehen: entlang ihr von der ersten zur letzten Vorlage.</translation>
+    </message>
+    <message>
+        <source>People and stages stand in its light. The four strongest lights that are to cast shadows do.</source>
+        <translation>Figuren und Bühnen stehen in seinem Licht. Von den Lichtern, die Schatten werfen sollen, tun es die vier stärksten.</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -3606,10 +3610,6 @@
 <context>
     <name>LightCommands</name>
     <message>
-        <source>Click what it is to shine on.</source>
-        <translation>Anklicken, worauf es scheinen soll.</translation>
-    </message>
-    <message>
         <source>A scene has at most %1 lights: remove one first.</source>
         <translation>Eine Szene hat höchstens %1 Lichter: zuerst eines entfernen.</translation>
     </message>
@@ -3658,6 +3658,38 @@
     <message>
         <source>Ink lines, and light in three steps</source>
         <translation>Tuschelinien, und Licht in drei Stufen</translation>
+    </message>
+    <message>
+        <source>Cl&amp;ay</source>
+        <translation>&amp;Gips</translation>
+    </message>
+    <message>
+        <source>Shapes and light alone: everything of one material</source>
+        <translation>Nur Formen und Licht: alles aus einem Material</translation>
+    </message>
+    <message>
+        <source>&amp;Silhouettes</source>
+        <translation>&amp;Silhouetten</translation>
+    </message>
+    <message>
+        <source>Dark people on a bright ground, as a crowd is read</source>
+        <translation>Dunkle Figuren auf hellem Grund: So liest sich eine Menge</translation>
+    </message>
+    <message>
+        <source>&amp;Blueprint</source>
+        <translation>B&amp;laupause</translation>
+    </message>
+    <message>
+        <source>Bright lines on blue, as a plan is drawn</source>
+        <translation>Helle Linien auf Blau, wie auf einem Plan</translation>
+    </message>
+    <message>
+        <source>&amp;Wireframe</source>
+        <translation>&amp;Drahtgitter</translation>
+    </message>
+    <message>
+        <source>Edges of the triangles that are drawn</source>
+        <translation>Kanten der Dreiecke, die gezeichnet werden</translation>
     </message>
 </context>
 <context>
@@ -7015,10 +7047,6 @@
         <translation>die Zahl derer aus „{relation}“ nicht über {value}</translation>
     </message>
     <message>
-        <source>relations</source>
-        <translation>Beziehungen</translation>
-    </message>
-    <message>
         <source>arrives at</source>
         <translation>kommt an bei</translation>
     </message>
@@ -7051,12 +7079,16 @@
         <translation>Die Beziehung gibt es nicht mehr: eine andere wählen.</translation>
     </message>
     <message>
-        <source>those related as</source>
-        <translation>die in Beziehung als</translation>
+        <source>all of their</source>
+        <translation>alle aus</translation>
     </message>
     <message>
-        <source>the nearest related as</source>
-        <translation>den Nächsten in Beziehung als</translation>
+        <source>relations of any kind</source>
+        <translation>Beziehungen jeder Art</translation>
+    </message>
+    <message>
+        <source>the nearest of their</source>
+        <translation>der Nächste aus</translation>
     </message>
 </context>
 <context>
@@ -9735,6 +9767,10 @@ Verworfen ist sie fort.</translation>
         <source>In the picture, while Select is chosen: drag the lamp, with Shift up and down.</source>
         <translation>Im Bild, solange „Auswählen“ gewählt ist: die Lampe ziehen, mit Umschalt auf und ab.</translation>
     </message>
+    <message>
+        <source>Click what it is to shine on.</source>
+        <translation>Anklicken, was es beleuchten soll.</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::MissingAssetsDialog</name>
@@ -10494,10 +10530,6 @@ Verworfen ist sie fort.</translation>
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>The scene is like that.</source>
-        <translation>Die Szene ist so.</translation>
-    </message>
-    <message>
         <source>Different: %1</source>
         <translation>Anders: %1</translation>
     </message>
@@ -10516,6 +10548,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Nobody whom it keeps is there any more.</source>
         <translation>Niemand, den er sich merkt, ist noch da.</translation>
+    </message>
+    <message>
+        <source>They are like that now.</source>
+        <translation>So sind sie jetzt.</translation>
     </message>
 </context>
 <context>

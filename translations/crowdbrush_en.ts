@@ -2161,10 +2161,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From the lower to the higher values along the line.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Clips</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2190,10 +2186,6 @@
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From the first to the last colour along the line.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2357,10 +2349,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>They face along the line that is drawn.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Each click adds a place, Enter ends the path; a click on its first place closes it. The next click begins another one.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2461,10 +2449,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From the slower to the faster along the line.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Change how they walk</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2558,10 +2542,6 @@
     </message>
     <message>
         <source>Operator</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From the first to the last material along the line.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2710,10 +2690,6 @@
     </message>
     <message>
         <source>Clips, colours, materials and parts of the same names stay.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From the first to the last template along the line.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2949,10 +2925,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From the first to the last value along the line.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Feature</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3090,14 +3062,6 @@
     </message>
     <message>
         <source>Each to the one before on the way of the brush</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Families</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A few of the nearest become one: two of another look, and smaller ones with them</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3460,6 +3424,46 @@
         <source>choose…</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Drag a line: from the lower to the higher values along it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a line: from the first to the last colour along it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a line: from the first to the last value along it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a line: from the first to the last material along it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a line: they face along it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Small groups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A few of the nearest are related with one another, as families are: two of another look, and smaller ones with them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a line: from the slower to the faster along it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a line: from the first to the last template along it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>People and stages stand in its light. The four strongest lights that are to cast shadows do.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -3606,10 +3610,6 @@
 <context>
     <name>LightCommands</name>
     <message>
-        <source>Click what it is to shine on.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A scene has at most %1 lights: remove one first.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3657,6 +3657,38 @@
     </message>
     <message>
         <source>Ink lines, and light in three steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cl&amp;ay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shapes and light alone: everything of one material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Silhouettes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark people on a bright ground, as a crowd is read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Blueprint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bright lines on blue, as a plan is drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Wireframe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edges of the triangles that are drawn</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7015,10 +7047,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>relations</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>arrives at</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7051,11 +7079,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>those related as</source>
+        <source>all of their</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the nearest related as</source>
+        <source>relations of any kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the nearest of their</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9728,6 +9760,10 @@ Thrown away, it is gone.</source>
         <source>In the picture, while Select is chosen: drag the lamp, with Shift up and down.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Click what it is to shine on.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::MissingAssetsDialog</name>
@@ -10487,10 +10523,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The scene is like that.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Different: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10508,6 +10540,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Nobody whom it keeps is there any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They are like that now.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

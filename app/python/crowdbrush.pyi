@@ -956,13 +956,13 @@ class RelationSettings:
         ...
     @property
     def least(self) -> int:
-        """Families: the fewest members."""
+        """Small groups: the fewest members."""
     @least.setter
     def least(self, value: int) -> None:
         ...
     @property
     def most(self) -> int:
-        """Families: the most members."""
+        """Small groups: the most members."""
     @most.setter
     def most(self, value: int) -> None:
         ...
@@ -974,7 +974,7 @@ class RelationSettings:
         ...
     @property
     def metres(self) -> float:
-        """Families, some around: how far they are apart at most."""
+        """Small groups, some around: how far they are apart at most."""
     @metres.setter
     def metres(self, value: float) -> None:
         ...
@@ -2717,7 +2717,7 @@ class Cue(Entry):
 
 class Light(Entry):
     """A light that stands in the scene, beside sun and sky."""
-    def __init__(self, *, id: int, name: str = ..., on: bool = ..., kind: Literal["spot", "point"] = ..., strength: float = ..., color: Union[str, Sequence[int]] = ..., cone: float = ..., softness: float = ..., beam: float = ..., aim: Literal["place", "person", "group"] = ..., target: Sequence[float] = ..., person: int = ..., group: Union[int, Group] = ..., position: Sequence[float] = ...) -> None:
+    def __init__(self, *, id: int, name: str = ..., on: bool = ..., kind: Literal["spot", "point"] = ..., strength: float = ..., color: Union[str, Sequence[int]] = ..., cone: float = ..., softness: float = ..., beam: float = ..., shadows: bool = ..., aim: Literal["place", "person", "group"] = ..., target: Sequence[float] = ..., person: int = ..., group: Union[int, Group] = ..., position: Sequence[float] = ...) -> None:
         ...
     id: int
     """of no other light of the scene; must be given"""
@@ -2738,6 +2738,9 @@ class Light(Entry):
     """share of the cone in which it fades out; 0: a sharp edge; 0 to 1; begins as 0.3"""
     beam: float
     """how much of it is seen in the air, as in smoke; 0 to 1; begins as 0.15"""
+    shadows: bool
+    """people and stages cast shadows in its light; of those that are to, the four strongest do;
+    begins as False"""
     aim: Literal["place", "person", "group"]
     """what it turns to; begins as 'place'"""
     target: List[float]

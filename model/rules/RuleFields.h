@@ -85,7 +85,7 @@ namespace crowd::model::rulefields {
 /// 0: any.
 [[nodiscard]] constexpr FieldMeta relation(FieldMeta meta)
 {
-    meta.zero = QT_TRANSLATE_NOOP("Rules", "relations");
+    meta.zero = QT_TRANSLATE_NOOP("Rules", "relations of any kind");
     return reference(meta, "relation", FieldRole::Relation);
 }
 
@@ -122,7 +122,7 @@ inline constexpr std::array kAims{
     FieldChoice{"sender", QT_TRANSLATE_NOOP("Rules", "whoever it came from")},
     FieldChoice{"tagged", QT_TRANSLATE_NOOP("Rules", "the nearest with")},
     FieldChoice{"place", QT_TRANSLATE_NOOP("Rules", "a place")},
-    FieldChoice{"related", QT_TRANSLATE_NOOP("Rules", "the nearest related as")}};
+    FieldChoice{"related", QT_TRANSLATE_NOOP("Rules", "the nearest of their")}};
 /// Of what is about people alone. Files may say otherwise.
 inline constexpr std::array kPersonAims{
     kAims[0], kAims[1],

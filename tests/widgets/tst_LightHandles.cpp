@@ -54,7 +54,8 @@ private Q_SLOTS:
 void TestLightHandles::aClickPlacesASpotlight()
 {
     Hand hand;
-    placeLight(hand.state, model::LightKind::Spot);
+    hand.state.choosePoint(
+        [&hand](const glm::vec3& point) { addLight(hand.state, model::LightKind::Spot, point); });
     hand.press(crowd::testing::kCenter);
     hand.release(crowd::testing::kCenter);
     const model::Lights& lights = hand.document.scene().lights;

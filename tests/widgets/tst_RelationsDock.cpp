@@ -103,6 +103,7 @@ private Q_SLOTS:
     void duplicatesAreRelatedAmongEachOther();
     void duplicatesStandWhereNobodyStands();
     void theBoxSaysThatTheBrushShowsThem();
+    void panelAndBrushSpeakOfTheSameKind();
     void aDragRelatesAndControlTakesAway();
     void aLassoAfterALasso();
     void arcsAreOfTheSelectedOrOfAll();
@@ -220,6 +221,28 @@ void TestRelationsDock::duplicatesStandWhereNobodyStands()
             QVERIFY2(glm::distance(at[i], at[j]) > 0.49F, qPrintable(QString::number(j)));
         }
     }
+}
+
+void TestRelationsDock::panelAndBrushSpeakOfTheSameKind()
+{
+    RelationsDesk desk;
+    QVERIFY(desk.isReady());
+    const auto painted = [&desk] {
+        const auto& brush = desk.state.brush(model::BrushKind::Relation);
+        return brush.as<model::RelationSettings>().relation;
+    };
+    QCOMPARE(desk.list()->currentItem()->text(), QString::fromStdString(painted()));
+    desk.choose("family");
+    QCOMPARE(painted(), std::string("family"));
+    desk.state.setTool(ToolId::BrushRelation);
+    model::BrushSettings brush = *desk.state.activeBrush();
+    brush.as<model::RelationSettings>().relation = "rivals";
+    desk.state.setBrush(brush);
+    QCOMPARE(desk.list()->currentItem()->text(), QStringLiteral("rivals"));
+    brush.as<model::RelationSettings>().relation = "of another scene";
+    desk.state.setBrush(brush);
+    QCOMPARE(desk.list()->currentItem()->text(), QStringLiteral("rivals"));
+    QCOMPARE(painted(), std::string("of another scene"));
 }
 
 void TestRelationsDock::theBoxSaysThatTheBrushShowsThem()

@@ -12,12 +12,14 @@
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QToolButton>
 
 #include "model/document/SceneEdit.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "widgets/commands/StateCommands.h"
 #include "widgets/docks/FieldForm.h"
+#include "widgets/docks/PointPicking.h"
 #include "widgets/docks/StatePictures.h"
 #include "widgets/docks/StatesDock.h"
 
@@ -130,6 +132,9 @@ private Q_SLOTS:
     void ofAGroup();
     void whatIsHeldCanBeChanged();
     void whatDiffersIsCountedAndOutlined();
+    void theListFollowsTheKeys();
+    void whatDiffersIsOfTheRun();
+    void theRestoreBrushTakesWhatIsChosen();
     void eachHasAPicture();
     void takesItsTimeWhileItPlays();
     void whatIsPaintedNextIsSeenAtOnce();
@@ -137,6 +142,7 @@ private Q_SLOTS:
     void onlyInThisRun();
     void howItComesIsRemembered();
     void theWaveBeginsWhereOneClicks();
+    void theButtonIsPressedWhileAPointIsChosen();
 };
 
 void TestStatesDock::init()
@@ -317,7 +323,7 @@ void TestStatesDock::whatDiffersIsCountedAndOutlined()
     desk.setHeight(1.0F);
     desk.keepAs("calm");
     auto* text = desk.dock->findChild<QLabel*>(QStringLiteral("stateDifference"));
-    QTRY_COMPARE(text->text(), QStringLiteral("The scene is like that."));
+    QTRY_COMPARE(text->text(), QStringLiteral("They are like that now."));
     const std::vector<model::IndividualId> two{ids[0], ids[2]};
     const float tall = 1.5F;
     const float late = 0.5F;
@@ -338,6 +344,63 @@ void TestStatesDock::whatDiffersIsCountedAndOutlined()
     QTRY_COMPARE(desk.state.washed(), two);
     desk.dock->hide(); // nobody would know where it comes from
     QTRY_VERIFY(desk.state.washed().empty());
+}
+
+/// Whatever recalls or keeps a state: what is said of it is of that one.
+void TestStatesDock::theListFollowsTheKeys()
+{
+    StatesDesk desk;
+    QVERIFY(desk.isReady());
+    (void)crowd::testing::addPeople(desk.document, 4);
+    desk.keepAs("calm");
+    desk.setPhase(0.75F);
+    desk.keepAs("wild");
+    const auto& states = desk.document.scene().states;
+    QCOMPARE(desk.list()->currentRow(), 1);
+    recallStateOf(desk.state, states[0].id, RecallInto::Scene);
+    QCOMPARE(desk.list()->currentRow(), 0);
+    keepStateAnew(desk.state, states[1].id);
+    QCOMPARE(desk.list()->currentRow(), 1);
+    QVERIFY(
+        keepStateAs(desk.state, QStringLiteral("sad"), states[0].columns, StateReach::Everybody));
+    QTRY_COMPARE(desk.list()->currentRow(), 2);
+    desk.press("removeState");
+    QTRY_COMPARE(desk.list()->count(), 2);
+    QCOMPARE(desk.state.chosenState(), states[0].id);
+    desk.list()->setCurrentRow(1);
+    QCOMPARE(desk.state.chosenState(), states[1].id);
+}
+
+void TestStatesDock::whatDiffersIsOfTheRun()
+{
+    StatesDesk desk;
+    QVERIFY(desk.isReady());
+    desk.keepSmallThenGrow();
+    auto* text = desk.dock->findChild<QLabel*>(QStringLiteral("stateDifference"));
+    QTRY_VERIFY2(text->text().contains(QStringLiteral("Size 4")), qPrintable(text->text()));
+    desk.state.transport().setPlaying(true);
+    QTRY_VERIFY((recallStateOf(desk.state, desk.document.scene().states[0].id, RecallInto::Run),
+                 desk.state.session().isRunning()));
+    QTRY_COMPARE((desk.play(0.02), text->text()), QStringLiteral("They are like that now."));
+    QCOMPARE(desk.document.scene().population.column(model::columns::height)[0], 2.0F);
+}
+
+void TestStatesDock::theRestoreBrushTakesWhatIsChosen()
+{
+    StatesDesk desk;
+    QVERIFY(desk.isReady());
+    (void)crowd::testing::addPeople(desk.document, 4);
+    desk.keepAs("calm");
+    desk.keepAs("wild");
+    desk.list()->setCurrentRow(0);
+    const auto settings = [&desk] {
+        return desk.state.brush(model::BrushKind::Restore).as<model::RestoreSettings>();
+    };
+    desk.state.setTool(ToolId::BrushRestore);
+    QCOMPARE(settings().source, model::RestoreSource::State);
+    QCOMPARE(settings().state, desk.document.scene().states[0].id);
+    desk.list()->setCurrentRow(1);
+    QCOMPARE(settings().state, desk.document.scene().states[1].id);
 }
 
 void TestStatesDock::eachHasAPicture()
@@ -501,6 +564,34 @@ void TestStatesDock::theWaveBeginsWhereOneClicks()
     desk.state.offerPoint({1.0F, 0.0F, 4.0F});
     QCOMPARE(desk.state.recall().timing.stagger.point, glm::vec3(1.0F, 0.0F, 4.0F));
     QVERIFY(desk.state.picking() == Picking::None);
+    QCOMPARE(desk.state.markedPoint(), std::optional(glm::vec3(1.0F, 0.0F, 4.0F)));
+    desk.dock->hide(); // nobody would know what it marks
+    QTRY_VERIFY(!desk.state.markedPoint());
+}
+
+void TestStatesDock::theButtonIsPressedWhileAPointIsChosen()
+{
+    StatesDesk desk;
+    QVERIFY(desk.isReady());
+    QToolButton one(&desk.window);
+    QToolButton other(&desk.window);
+    std::vector<int> taken;
+    makePointButton(one, desk.state, [&taken](const glm::vec3&) { taken.push_back(1); });
+    makePointButton(other, desk.state, [&taken](const glm::vec3&) { taken.push_back(2); });
+    one.click();
+    QVERIFY(one.isChecked() && desk.state.picking() == Picking::Place);
+    other.click(); // instead of that one
+    QVERIFY(!one.isChecked() && other.isChecked());
+    desk.state.offerPoint({1.0F, 0.0F, 4.0F});
+    QVERIFY(!other.isChecked());
+    QCOMPARE(taken, std::vector<int>{2});
+    one.click();
+    one.click(); // not after all
+    QVERIFY(!one.isChecked() && desk.state.picking() == Picking::None);
+    one.click();
+    desk.state.setTool(ToolId::Select); // ends it
+    QVERIFY(!one.isChecked());
+    QCOMPARE(taken, std::vector<int>{2});
 }
 
 CROWD_WINDOW_TEST(TestStatesDock)

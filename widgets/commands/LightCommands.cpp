@@ -52,12 +52,6 @@ void bringIntoView(const EditorState& state, Light& light)
 
 } // namespace
 
-void placeLight(EditorState& state, LightKind kind)
-{
-    state.choosePoint([&state, kind](const glm::vec3& metres) { addLight(state, kind, metres); });
-    state.showStatus(LightText::tr("Click what it is to shine on."));
-}
-
 LightId addLight(EditorState& state, LightKind kind, const glm::vec3& lit)
 {
     Lights lights = state.scene().lights;

@@ -11,9 +11,8 @@
 /// What panel and picture do with the lights of a scene: one undo step each. World frame, metres.
 namespace crowd::widgets {
 
-/// The next click in the picture says what it is to light; it is chosen then.
-void placeLight(EditorState& state, model::LightKind kind);
-/// One that lights that point, from where it is seen; its id, 0: there are as many as there can be.
+/// One that lights that point, from where it is seen; it is chosen then. Its id, 0: there are
+/// as many as there can be.
 model::LightId addLight(EditorState& state, model::LightKind kind, const glm::vec3& lit);
 void removeLight(EditorState& state, model::LightId id);
 void changeLight(EditorState& state, model::LightId id, const QString& undoText,

@@ -126,6 +126,7 @@ bool keepStateAs(EditorState& state, const QString& name, model::ColumnSet colum
             putState(edit, keepState(shown, name.toStdString(), columns, people));
         });
     if (outcome != model::EditOutcome::Refused) {
+        state.chooseState(state.scene().states.back().id);
         state.showStatus(StatesText::tr("“%1” keeps how %n characters are now", nullptr,
                                         static_cast<int>(people.size()))
                              .arg(name));
@@ -149,6 +150,7 @@ void keepStateAnew(EditorState& state, model::StateId id)
     editList(state, StatesText::tr("Keep “%1” anew").arg(name), [&](std::vector<State>& all) {
         *std::ranges::find(all, id, &State::id) = std::move(now);
     });
+    state.chooseState(id);
     state.showStatus(StatesText::tr("“%1” keeps how %n characters are now", nullptr,
                                     static_cast<int>(people.size()))
                          .arg(name));
@@ -161,6 +163,7 @@ void recallStateOf(EditorState& state, model::StateId id, RecallInto into)
         return;
     }
     const State kept = *found;
+    state.chooseState(id);
     if (into == RecallInto::Run && state.transport().isPlaying()) {
         recallInRun(state, kept);
         return;

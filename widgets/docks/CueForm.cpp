@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <QtCore/QPointer>
 #include <QtWidgets/QCompleter>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QLabel>
@@ -13,6 +12,7 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "model/rules/RuleSets.h"
+#include "widgets/docks/PointPicking.h"
 #include "widgets/docks/RuleFields.h"
 #include "widgets/docks/RuleNames.h"
 #include "widgets/docks/WrapRow.h"
@@ -135,13 +135,10 @@ void CueForm::addOrder(QVBoxLayout* layout)
     choose->setObjectName(QStringLiteral("cuePoint"));
     choose->setText(tr("Choose"));
     choose->setToolTip(tr("Then click in the picture where it begins"));
-    connect(choose, &QToolButton::clicked, this, [this] {
-        m_state.choosePoint([form = QPointer(this)](const glm::vec3& point) {
-            if (form) {
-                form->m_apply([&](Cue& each) { each.point = point; });
-            }
-        });
+    makePointButton(*choose, m_state, [this](const glm::vec3& point) {
+        m_apply([&](Cue& each) { each.point = point; });
     });
+    new PointMark(*choose, m_state, [this] { return m_cue.point; });
     row->addWidget(choose);
 }
 

@@ -5,7 +5,6 @@
 #include <set>
 #include <string_view>
 
-#include <QtCore/QPointer>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
 
@@ -17,6 +16,7 @@
 #include "widgets/docks/CheckList.h"
 #include "widgets/docks/ClipMix.h"
 #include "widgets/docks/FieldNames.h"
+#include "widgets/docks/PointPicking.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/state/EditorState.h"
 #include "widgets/state/FeatureTexts.h"
@@ -356,15 +356,12 @@ void addPoint(FieldForm& form, const Bound& bound)
     }
     auto* button = new QPushButton(FieldForm::tr("Choose in the Picture"), &form);
     button->setToolTip(FieldForm::tr("Then click the point"));
-    QObject::connect(button, &QPushButton::clicked, &form, [state, &form, bound] {
-        state->choosePoint([shown = QPointer(&form), bound](const glm::vec3& point) {
-            if (shown) {
-                shown->setValue(bound, point);
-            }
-        });
-    });
+    makePointButton(*button, *state,
+                    [&form, bound](const glm::vec3& point) { form.setValue(bound, point); });
+    auto* mark =
+        new PointMark(*button, *state, [&form, bound] { return form.valueOf<glm::vec3>(bound); });
     form.bind(
-        button, [] {}, bound.isShown);
+        button, [mark] { mark->refresh(); }, bound.isShown);
 }
 
 /// A point in the air: nothing is there to click on.

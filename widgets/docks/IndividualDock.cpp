@@ -2,6 +2,7 @@
 #include "widgets/docks/IndividualDock.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QEvent>
@@ -26,9 +27,10 @@ namespace {
 
 constexpr int kRefreshMs = 60;
 constexpr int kSwatch = 18;
-constexpr int kShortWord = 3;     ///< letters of a box that may be narrow
-constexpr int kLongestSlot = 80;  ///< names in files can be of any length, logical pixels
-constexpr int kLongestName = 140; ///< of a part or a template
+constexpr double kWholeTurn = 360.0; ///< degrees
+constexpr int kShortWord = 3;        ///< letters of a box that may be narrow
+constexpr int kLongestSlot = 80;     ///< names in files can be of any length, logical pixels
+constexpr int kLongestName = 140;    ///< of a part or a template
 constexpr double kMostSeats = 16777216.0;
 
 /// The colour in a frame; a stroke through the frame says that there is no tint, or no common one.
@@ -294,7 +296,12 @@ void IndividualDock::refreshNumbers(const SelectedPeople& selected)
         const model::PropertyInfo& property = *item.property;
         const std::span<const std::byte> column = all.columnBytes(property.id);
         item.field->setValue(selected.common<double>([&](std::size_t row) {
-            return model::scalarAt(property.column.type, column, row) * property.meta.shownScale;
+            const double shown =
+                model::scalarAt(property.column.type, column, row) * property.meta.shownScale;
+            // Whoever has turned twice looks the same way as before.
+            return property.traits.kind == model::PropertyKind::Angle
+                       ? std::remainder(shown, kWholeTurn)
+                       : shown;
         }));
     }
     const auto tags = selected.common<std::uint64_t>(

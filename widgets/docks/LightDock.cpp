@@ -16,6 +16,7 @@
 #include "model/scene/ReadyLight.h"
 #include "widgets/commands/LightCommands.h"
 #include "widgets/docks/FieldForm.h"
+#include "widgets/docks/PointPicking.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/theme/Icons.h"
@@ -83,16 +84,23 @@ QWidget* LightDock::makeButtons()
     };
     for (std::size_t kind = 0; kind < model::kLightKinds.size(); ++kind) {
         const model::FieldChoice& choice = model::kLightKinds[kind];
-        add(iconOf(kind).c_str(),
-            tr("Add: %1. Then click what it is to shine on").arg(fieldText(choice.label)),
-            (std::string("add-") + choice.key).c_str(),
-            [this, kind] { placeLight(m_state, static_cast<model::LightKind>(kind)); });
+        auto* button =
+            add(iconOf(kind).c_str(),
+                tr("Add: %1. Then click what it is to shine on").arg(fieldText(choice.label)),
+                (std::string("add-") + choice.key).c_str(), [this](bool isPressed) {
+                    if (isPressed) {
+                        m_state.showStatus(tr("Click what it is to shine on."));
+                    }
+                });
+        makePointButton(*button, m_state, [this, kind](const glm::vec3& metres) {
+            addLight(m_state, static_cast<model::LightKind>(kind), metres);
+        });
     }
     m_ready = makeReady();
     layout->addWidget(m_ready);
     layout->addStretch(1);
     m_remove = add("delete", tr("Remove the chosen light"), "removeLight",
-                   [this] { removeLight(m_state, m_state.chosenLight()); });
+                   [this](bool) { removeLight(m_state, m_state.chosenLight()); });
     return row;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/docks/RelationsDock.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <vector>
@@ -155,6 +156,7 @@ void RelationsDock::connectParts()
     };
     connect(&m_state, &EditorState::viewOptionsChanged, this, refresh);
     connect(&m_state, &EditorState::toolChanged, this, refresh);
+    connect(&m_state, &EditorState::brushChanged, this, &RelationsDock::followBrush);
     refresh();
 }
 
@@ -215,7 +217,7 @@ void RelationsDock::fill()
         }
     }
     if (m_kinds->currentRow() < 0 && m_kinds->count() > 0) {
-        m_kinds->setCurrentRow(0);
+        m_kinds->setCurrentRow(std::max(rowOfBrush(), 0));
     }
     m_isFilling = false;
     const int rows = std::min(m_kinds->count(), kRelationRows);
@@ -250,15 +252,32 @@ void RelationsDock::count()
                                   : tr("%n relations of this kind", nullptr, number));
 }
 
-/// Who has the brush in hand and chooses a kind means to paint it.
+/// The brush paints the kind that is chosen here, and the one it is told is chosen here.
 void RelationsDock::chooseForBrush()
 {
-    const model::RelationKind* kind = chosen();
-    if (kind != nullptr && m_state.tool() == ToolId::BrushRelation) {
-        model::BrushSettings brush = *m_state.activeBrush();
+    if (const model::RelationKind* kind = chosen()) {
+        model::BrushSettings brush = m_state.brush(model::BrushKind::Relation);
         brush.as<model::RelationSettings>().relation = kind->name;
         m_state.setBrush(brush);
     }
+}
+
+void RelationsDock::followBrush()
+{
+    const int row = rowOfBrush();
+    if (row >= 0 && row < m_kinds->count()) {
+        m_kinds->setCurrentRow(row);
+    }
+}
+
+/// Of the kind that the brush paints; -1: the scene has none of that name.
+int RelationsDock::rowOfBrush() const
+{
+    const model::BrushSettings& brush = m_state.brush(model::BrushKind::Relation);
+    const std::string& name = brush.as<model::RelationSettings>().relation;
+    const auto& kinds = m_state.scene().relationKinds;
+    const auto found = std::ranges::find(kinds, name, &model::RelationKind::name);
+    return found != kinds.end() ? static_cast<int>(found - kinds.begin()) : -1;
 }
 
 void RelationsDock::showKind()

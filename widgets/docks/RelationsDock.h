@@ -37,6 +37,8 @@ private:
     void count();
     void showKind();
     void chooseForBrush();
+    void followBrush();
+    [[nodiscard]] int rowOfBrush() const;
     void makeForm();
     void showMenu(const QPoint& position);
     void fillMenu(QMenu& menu, model::RelationKindId id);

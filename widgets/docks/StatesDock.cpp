@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QtCore/QCoreApplication>
+#include <QtCore/QElapsedTimer>
 #include <QtCore/QSettings>
 #include <QtGui/QPainter>
 #include <QtWidgets/QCheckBox>
@@ -36,6 +37,8 @@ constexpr int kRoomBelow = 6;  ///< logical pixels
 constexpr int kShortReach = 8; ///< letters
 constexpr int kStatesRebuildMs = 30;
 constexpr int kCompareMs = 200;
+constexpr qint64 kFollowMs = 500;
+constexpr qint64 kFollowShare = 20; ///< of the time that one comparison takes
 
 QString settingOf(const model::PropertyAspectInfo& aspect)
 {
@@ -150,18 +153,27 @@ QWidget* StatesDock::difference()
     m_compare.setSingleShot(true);
     m_compare.setInterval(kCompareMs);
     connect(&m_compare, &QTimer::timeout, this, &StatesDock::refreshDifference);
+    m_follow.setSingleShot(true);
+    connect(&m_follow, &QTimer::timeout, this, &StatesDock::refreshDifference);
+    connect(&m_state.transport(), &Transport::timeChanged, this, [this] {
+        if (isVisible() && !m_follow.isActive()) {
+            m_follow.start();
+        }
+    });
     return box;
 }
 
-/// Only while the panel is seen.
+/// Only while the panel is seen; while it plays, in the run.
 void StatesDock::refreshDifference()
 {
+    QElapsedTimer began;
+    began.start();
     const auto& states = m_state.scene().states;
     const auto found = std::ranges::find(states, chosen(), &model::State::id);
     const bool isSeen = found != states.end() && isVisible();
     model::StateDifference difference;
     if (isSeen) {
-        difference = differenceFrom(*found, m_state.scene());
+        difference = differenceFrom(*found, m_state.session().shownScene());
     }
     QStringList parts;
     for (const auto& each : difference.aspects) {
@@ -174,11 +186,14 @@ void StatesDock::refreshDifference()
             return m_state.scene().population.rowOf(id) != model::Population::npos;
         });
     m_difference->setText(!isSomebodyThere  ? tr("Nobody whom it keeps is there any more.")
-                          : parts.isEmpty() ? tr("The scene is like that.")
+                          : parts.isEmpty() ? tr("They are like that now.")
                                             : tr("Different: %1").arg(parts.join(tr(", "))));
-    m_difference->parentWidget()->setVisible(found != states.end());
+    m_difference->parentWidget()->setVisible(isSeen);
     m_state.setWashed(isSeen && m_wash->isChecked() ? difference.ids
                                                     : std::vector<model::IndividualId>());
+    m_compare.stop();
+    // A large crowd is compared less often: it is to play on meanwhile.
+    m_follow.setInterval(static_cast<int>(std::max(kFollowMs, kFollowShare * began.elapsed())));
 }
 
 /// What a new state holds, and of whom it is.
@@ -247,7 +262,14 @@ void StatesDock::connectParts()
     connect(&m_state.document(), &model::SceneDocument::editRefused, &m_rebuild,
             qOverload<>(&QTimer::start));
     connect(m_list, &QListWidget::itemDoubleClicked, this, [this] { recallChosen(); });
-    connect(m_list, &QListWidget::currentRowChanged, this, [this] { refreshNotes(); });
+    connect(m_list, &QListWidget::currentRowChanged, this, [this] {
+        refreshNotes();
+        if (!m_isFilling) {
+            m_state.chooseState(chosen());
+            chooseForBrush();
+        }
+    });
+    connect(&m_state, &EditorState::stateChosen, this, &StatesDock::showChosen);
     connect(m_pictures, &StatePictures::drawn, this, [this] { m_rebuild.start(); });
     connect(this, &QDockWidget::visibilityChanged, &m_compare, qOverload<>(&QTimer::start));
     connect(m_list, &QListWidget::customContextMenuRequested, this, &StatesDock::showMenu);
@@ -265,7 +287,6 @@ void StatesDock::fill()
         m_rebuild.start(); // not under the hands of who renames
         return;
     }
-    const model::StateId before = chosen();
     m_isFilling = true;
     m_list->clear();
     int number = 0;
@@ -281,7 +302,7 @@ void StatesDock::fill()
             number <= kKeyedStates
                 ? tr("%1. Double click or Shift+F%2: recall. F2: rename.").arg(people).arg(number)
                 : tr("%1. Double click: recall. F2: rename.").arg(people));
-        if (each.id == before) {
+        if (each.id == m_state.chosenState()) {
             m_list->setCurrentItem(item);
         }
     }
@@ -289,6 +310,7 @@ void StatesDock::fill()
         m_list->setCurrentRow(0);
     }
     m_isFilling = false;
+    m_state.chooseState(chosen());
     const int rows = std::min(m_list->count(), kMostRows);
     m_list->setFixedHeight(rows * m_list->sizeHintForRow(0) + kRoomBelow);
     refreshNotes();
@@ -302,6 +324,29 @@ void StatesDock::refreshNotes()
     m_list->setVisible(m_list->count() > 0);
     m_chosenButtons->setEnabled(chosen() != 0);
     m_compare.start();
+}
+
+/// Whatever key or panel has chosen it.
+void StatesDock::showChosen(model::StateId id)
+{
+    for (int row = 0; row < m_list->count(); ++row) {
+        if (m_list->item(row)->data(kIdRole).toUInt() == id) {
+            m_list->setCurrentRow(row);
+        }
+    }
+    m_compare.start();
+}
+
+/// Who has the restore brush in hand and chooses a state means to paint it.
+void StatesDock::chooseForBrush()
+{
+    if (m_state.tool() == ToolId::BrushRestore && chosen() != 0) {
+        model::BrushSettings brush = *m_state.activeBrush();
+        auto& settings = brush.as<model::RestoreSettings>();
+        settings.source = model::RestoreSource::State;
+        settings.state = chosen();
+        m_state.setBrush(brush);
+    }
 }
 
 model::StateId StatesDock::chosen() const

@@ -45,11 +45,14 @@ private:
     void recallChosen();
     [[nodiscard]] model::StateId chosen() const; ///< 0: none
     [[nodiscard]] model::ColumnSet ticked() const;
+    void showChosen(model::StateId id);
+    void chooseForBrush();
     void refreshNotes();
 
     EditorState& m_state;
     QTimer m_rebuild;
-    QTimer m_compare; ///< the scene with the chosen state
+    QTimer m_compare; ///< what is shown with the chosen state
+    QTimer m_follow;  ///< the same, while it plays
     // Children of this widget.
     QListWidget* m_list;
     QLabel* m_note;

@@ -104,6 +104,20 @@ void chooseWhetherPartsShow(const EditorState& state, BrushSettings& brush)
     settings.isShown = false;
 }
 
+/// Who has kept states means them.
+void chooseRestored(const EditorState& state, model::RestoreSettings& settings)
+{
+    const auto& states = state.scene().states;
+    const auto isThere = [&states](std::uint32_t id) {
+        return std::ranges::find(states, id, &model::State::id) != states.end();
+    };
+    if (states.empty() || isThere(settings.state)) {
+        return;
+    }
+    settings.source = model::RestoreSource::State;
+    settings.state = isThere(state.chosenState()) ? state.chosenState() : states.front().id;
+}
+
 } // namespace
 
 bool startBrush(EditorState& state, BrushKind kind)
@@ -124,6 +138,8 @@ bool startBrush(EditorState& state, BrushKind kind)
         if (parts->part.empty() && parts->isShown) {
             chooseWhetherPartsShow(state, brush);
         }
+    } else if (auto* restore = brush.find<model::RestoreSettings>()) {
+        chooseRestored(state, *restore);
     } else if (const auto* script = brush.find<model::ScriptSettings>()) {
         if (script->brush.empty() && !state.scriptBrushes().empty()) {
             const BrushSettings first = state.scriptBrushes().front().settings;

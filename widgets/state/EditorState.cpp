@@ -157,6 +157,7 @@ void EditorState::setPicking(Picking picking)
 
 void EditorState::choosePoint(PointTaken taken)
 {
+    setPicking(Picking::None);
     m_pointTaken = std::move(taken);
     setPicking(Picking::Place);
 }
@@ -176,6 +177,25 @@ void EditorState::setWashed(std::vector<model::IndividualId> ids)
         m_washed = std::move(ids);
         Q_EMIT washedChanged();
     }
+}
+
+void EditorState::chooseState(model::StateId id)
+{
+    if (m_chosenState != id) {
+        m_chosenState = id;
+        Q_EMIT stateChosen(id);
+    }
+}
+
+void EditorState::markPoint(const QObject* marker, const std::optional<glm::vec3>& metres)
+{
+    const bool isOwn = m_pointMarker == marker;
+    if ((!metres && !isOwn) || (isOwn && m_markedPoint == metres)) {
+        return;
+    }
+    m_markedPoint = metres;
+    m_pointMarker = metres ? marker : nullptr;
+    Q_EMIT markedPointChanged();
 }
 
 void EditorState::chooseLight(model::LightId id)

@@ -139,7 +139,8 @@ public:
 
     [[nodiscard]] Picking picking() const { return m_picking; }
     void setPicking(Picking picking); ///< ends when the tool changes
-    /// The next click in the picture, with any tool, calls `taken` with the point under it.
+    /// The next click in the picture, with any tool, calls `taken` with the point under it. What
+    /// was to be chosen before is not any more.
     using PointTaken = std::function<void(const glm::vec3& metres)>;
     void choosePoint(PointTaken taken);
     /// That was the click: ends the picking.
@@ -177,6 +178,15 @@ public:
     [[nodiscard]] model::LightId chosenLight() const { return m_chosenLight; }
     void chooseLight(model::LightId id);
 
+    /// The state that is looked at, or that came last; 0: none.
+    [[nodiscard]] model::StateId chosenState() const { return m_chosenState; }
+    void chooseState(model::StateId id);
+
+    /// A point that a panel speaks of, marked in the picture: metres, world frame.
+    [[nodiscard]] const std::optional<glm::vec3>& markedPoint() const { return m_markedPoint; }
+    /// Whoever marks one takes away none but his own.
+    void markPoint(const QObject* marker, const std::optional<glm::vec3>& metres);
+
     /// Ascending: they are washed over in the picture instead of those who are selected; empty:
     /// nobody is.
     [[nodiscard]] const std::vector<model::IndividualId>& washed() const { return m_washed; }
@@ -208,6 +218,8 @@ Q_SIGNALS:
     void recallChanged(const crowd::widgets::RecallSettings& recall);
     void washedChanged();
     void lightChosen(crowd::model::LightId id);
+    void stateChosen(crowd::model::StateId id);
+    void markedPointChanged();
     void longWorkChanged(const crowd::widgets::LongWork& work);
     void hintChanged(const QString& hint);
     void statusMessage(const QString& text);
@@ -242,6 +254,9 @@ private:
     RecallSettings m_recall;
     std::vector<model::IndividualId> m_washed;
     model::LightId m_chosenLight = 0;
+    model::StateId m_chosenState = 0;
+    std::optional<glm::vec3> m_markedPoint;
+    const QObject* m_pointMarker = nullptr; ///< never looked into
     bool m_hasSeats = false;
     std::optional<model::PathId> m_wantedPath; ///< of the walk brush, also while it is undone
     ViewCamera m_view;

@@ -15,6 +15,7 @@
 #include "widgets/tools/ScriptPainter.h"
 #include "widgets/viewport/BrushPopup.h"
 #include "widgets/viewport/PathLabels.h"
+#include "widgets/viewport/PointMark.h"
 #include "widgets/viewport/ViewportOverlay.h"
 #include "widgets/viewport/WorkBar.h"
 
@@ -98,6 +99,7 @@ void ViewportWidget::connectScene()
     connect(&m_state.selection(), &Selection::changed, this, &ViewportWidget::redraw);
     connect(&m_state, &EditorState::washedChanged, this, &ViewportWidget::redraw);
     connect(&m_state, &EditorState::lightChosen, this, &ViewportWidget::redraw);
+    connect(&m_state, &EditorState::markedPointChanged, this, &ViewportWidget::redraw);
     connect(&m_state.transport(), &Transport::stateChanged, this, &ViewportWidget::redraw);
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
@@ -232,6 +234,9 @@ render::RenderInput ViewportWidget::renderInput()
     m_lightMarks.make(m_state, *input.frame);
     m_lines.assign(m_arcs.lines().begin(), m_arcs.lines().end());
     m_lines.insert(m_lines.end(), m_lightMarks.lines().begin(), m_lightMarks.lines().end());
+    if (m_state.markedPoint()) {
+        addPointMark(m_lines, *m_state.markedPoint(), m_state.camera());
+    }
     input.lines = m_lines;
     if (options.showPaths) {
         input.areas = m_paths.areas(m_state, queries.stage());

@@ -50,7 +50,7 @@ inline constexpr BrushInfo AnimationSettings::kInfo{
     .unchanged = QT_TRANSLATE_NOOP("Brushes", "All of them already move like this"),
     .operatorPlace = OperatorPlace::Last,
     .gradientNote =
-        QT_TRANSLATE_NOOP("Fields", "From the lower to the higher values along the line."),
+        QT_TRANSLATE_NOOP("Fields", "Drag a line: from the lower to the higher values along it."),
     .buildsUp = true};
 
 constexpr auto AnimationSettings::fields()

@@ -51,7 +51,7 @@ inline constexpr BrushInfo ColourSettings::kInfo{
     .unchanged = QT_TRANSLATE_NOOP("Brushes", "All of them already have this colour"),
     .operatorPlace = OperatorPlace::Last,
     .gradientNote =
-        QT_TRANSLATE_NOOP("Fields", "From the first to the last colour along the line."),
+        QT_TRANSLATE_NOOP("Fields", "Drag a line: from the first to the last colour along it."),
     .buildsUp = true,
     .flows = true,
     .dropper = Dropper::Colour};

@@ -60,7 +60,7 @@ inline constexpr BrushInfo FeatureSettings::kInfo{
     .unchanged = QT_TRANSLATE_NOOP("Brushes", "All of them already are like that"),
     .operatorPlace = OperatorPlace::Last,
     .gradientNote =
-        QT_TRANSLATE_NOOP("Fields", "From the first to the last value along the line.")};
+        QT_TRANSLATE_NOOP("Fields", "Drag a line: from the first to the last value along it.")};
 
 inline constexpr BrushInfo OutfitSettings::kInfo{
     .id = "outfit",
@@ -77,7 +77,7 @@ inline constexpr BrushInfo OutfitSettings::kInfo{
     .unchanged = QT_TRANSLATE_NOOP("Brushes", "All of them already are dressed like that"),
     .operatorPlace = OperatorPlace::Last,
     .gradientNote =
-        QT_TRANSLATE_NOOP("Fields", "From the first to the last value along the line.")};
+        QT_TRANSLATE_NOOP("Fields", "Drag a line: from the first to the last value along it.")};
 
 constexpr auto FeatureSettings::fields()
 {

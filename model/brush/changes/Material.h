@@ -50,7 +50,7 @@ inline constexpr BrushInfo MaterialSettings::kInfo{
     .unchanged = QT_TRANSLATE_NOOP("Brushes", "All of them already have this material"),
     .operatorPlace = OperatorPlace::Last,
     .gradientNote =
-        QT_TRANSLATE_NOOP("Fields", "From the first to the last material along the line.")};
+        QT_TRANSLATE_NOOP("Fields", "Drag a line: from the first to the last material along it.")};
 
 constexpr auto MaterialSettings::fields()
 {

@@ -40,7 +40,7 @@ inline constexpr BrushInfo OrientationSettings::kInfo{
     .undo = QT_TRANSLATE_N_NOOP("Brushes", "Turn %n character(s)"),
     .unchanged = QT_TRANSLATE_NOOP("Brushes", "All of them already face this way"),
     .operatorPlace = OperatorPlace::First,
-    .gradientNote = QT_TRANSLATE_NOOP("Fields", "They face along the line that is drawn."),
+    .gradientNote = QT_TRANSLATE_NOOP("Fields", "Drag a line: they face along it."),
     .buildsUp = true,
     .flows = true,
     .dropper = Dropper::Point};

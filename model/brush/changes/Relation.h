@@ -18,7 +18,7 @@ struct ChangeResult;
 enum class RelationHow : std::uint8_t {
     FromTo,   ///< those where the stroke begins to those where it ends
     Chain,    ///< each to the one before on the way
-    Family,   ///< a few of the nearest become one
+    Family,   ///< a few of the nearest with one another
     Near,     ///< each to some around him
     Together, ///< each to each
 };
@@ -70,9 +70,10 @@ inline constexpr std::array kRelationHows{
                                             "those of the second")},
     FieldChoice{"chain", QT_TRANSLATE_NOOP("Fields", "Chain"),
                 QT_TRANSLATE_NOOP("Fields", "Each to the one before on the way of the brush")},
-    FieldChoice{"family", QT_TRANSLATE_NOOP("Fields", "Families"),
-                QT_TRANSLATE_NOOP("Fields", "A few of the nearest become one: two of another look, "
-                                            "and smaller ones with them")},
+    FieldChoice{"family", QT_TRANSLATE_NOOP("Fields", "Small groups"),
+                QT_TRANSLATE_NOOP("Fields", "A few of the nearest are related with one another, as "
+                                            "families are: two of another look, and smaller ones "
+                                            "with them")},
     FieldChoice{"near", QT_TRANSLATE_NOOP("Fields", "Some around"),
                 QT_TRANSLATE_NOOP("Fields", "Each to a few of those around, drawn at random")},
     FieldChoice{"together", QT_TRANSLATE_NOOP("Fields", "Each to each"),
@@ -93,7 +94,7 @@ constexpr auto RelationSettings::fields()
             {.key = "how", .label = QT_TRANSLATE_NOOP("Fields", "Who"), .choices = kRelationHows}),
         field(&S::least, {.key = "least",
                           .label = QT_TRANSLATE_NOOP("Fields", "At least"),
-                          .doc = "Families: the fewest members.",
+                          .doc = "Small groups: the fewest members.",
                           .low = 2.0,
                           .high = 20.0,
                           .sliderLow = 2.0,
@@ -103,7 +104,7 @@ constexpr auto RelationSettings::fields()
             .when([](const S& s, const C&) { return s.how == RelationHow::Family; }),
         field(&S::most, {.key = "most",
                          .label = QT_TRANSLATE_NOOP("Fields", "At most"),
-                         .doc = "Families: the most members.",
+                         .doc = "Small groups: the most members.",
                          .low = 2.0,
                          .high = 20.0,
                          .sliderLow = 2.0,
@@ -123,7 +124,7 @@ constexpr auto RelationSettings::fields()
             .when([](const S& s, const C&) { return s.how == RelationHow::Near; }),
         field(&S::metres, {.key = "metres",
                            .label = QT_TRANSLATE_NOOP("Fields", "Within"),
-                           .doc = "Families, some around: how far they are apart at most.",
+                           .doc = "Small groups, some around: how far they are apart at most.",
                            .unit = QT_TRANSLATE_NOOP("Fields", " m"),
                            .low = 0.1,
                            .high = 1000.0,

@@ -48,7 +48,8 @@ inline constexpr BrushInfo StyleSettings::kInfo{
     .undo = QT_TRANSLATE_N_NOOP("Brushes", "Set how %n character(s) walk"),
     .unchanged = QT_TRANSLATE_NOOP("Brushes", "All of them already walk like this"),
     .operatorPlace = OperatorPlace::Last,
-    .gradientNote = QT_TRANSLATE_NOOP("Fields", "From the slower to the faster along the line.")};
+    .gradientNote =
+        QT_TRANSLATE_NOOP("Fields", "Drag a line: from the slower to the faster along it.")};
 
 constexpr auto StyleSettings::fields()
 {

@@ -48,7 +48,7 @@ inline constexpr BrushInfo TemplateSettings::kInfo{
         QT_TRANSLATE_NOOP("Fields", "Clips, colours, materials and parts of the same names stay."),
     .operatorPlace = OperatorPlace::Last,
     .gradientNote =
-        QT_TRANSLATE_NOOP("Fields", "From the first to the last template along the line.")};
+        QT_TRANSLATE_NOOP("Fields", "Drag a line: from the first to the last template along it.")};
 
 constexpr auto TemplateSettings::fields()
 {

@@ -14,7 +14,7 @@ inline constexpr std::array kEventReaches{
     FieldChoice{"tagged", QT_TRANSLATE_NOOP("Rules", "those tagged")},
     FieldChoice{"group", QT_TRANSLATE_NOOP("Rules", "their group")},
     FieldChoice{"everybody", QT_TRANSLATE_NOOP("Rules", "everybody")},
-    FieldChoice{"related", QT_TRANSLATE_NOOP("Rules", "those related as")}};
+    FieldChoice{"related", QT_TRANSLATE_NOOP("Rules", "all of their")}};
 
 } // namespace crowd::model
 
