@@ -5169,6 +5169,10 @@
         <source>%1 must be an object with columns and rows</source>
         <translation>%1 muss ein Objekt mit „columns“ und „rows“ sein</translation>
     </message>
+    <message>
+        <source>Rule &quot;%1&quot;: the light is not there. Choose another one.</source>
+        <translation>Regel „%1“: Das Licht gibt es nicht. Wählen Sie ein anderes.</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -7089,6 +7093,58 @@
     <message>
         <source>the nearest of their</source>
         <translation>der Nächste aus</translation>
+    </message>
+    <message>
+        <source>switch on</source>
+        <translation>einschalten</translation>
+    </message>
+    <message>
+        <source>switch off</source>
+        <translation>ausschalten</translation>
+    </message>
+    <message>
+        <source>flash</source>
+        <translation>blitzen</translation>
+    </message>
+    <message>
+        <source>sweep from side to side</source>
+        <translation>hin und her schwenken</translation>
+    </message>
+    <message>
+        <source>tell a light</source>
+        <translation>einem Licht sagen</translation>
+    </message>
+    <message>
+        <source>switch the light “{light}” on</source>
+        <translation>das Licht „{light}“ einschalten</translation>
+    </message>
+    <message>
+        <source>switch the light “{light}” on over {seconds} s</source>
+        <translation>das Licht „{light}“ in {seconds} s aufblenden</translation>
+    </message>
+    <message>
+        <source>switch the light “{light}” off</source>
+        <translation>das Licht „{light}“ ausschalten</translation>
+    </message>
+    <message>
+        <source>switch the light “{light}” off over {seconds} s</source>
+        <translation>das Licht „{light}“ in {seconds} s abblenden</translation>
+    </message>
+    <message>
+        <source>let the light “{light}” flash for {seconds} s</source>
+        <translation>das Licht „{light}“ {seconds} s lang blitzen lassen</translation>
+    </message>
+    <message>
+        <source>let the light “{light}” sweep for {seconds} s</source>
+        <translation>das Licht „{light}“ {seconds} s lang schwenken lassen</translation>
+    </message>
+    <message>
+        <source>The light is not there any more: choose another one.</source>
+        <translation>Das Licht gibt es nicht mehr: ein anderes wählen.</translation>
+    </message>
+    <message>
+        <source>It does nothing yet: choose a light; the panel Light adds one.</source>
+        <translation>Sie tut noch nichts: ein Licht wählen; das Bedienfeld „Licht“ fügt eines hinzu.</translation>
     </message>
 </context>
 <context>

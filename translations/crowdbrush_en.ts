@@ -5169,6 +5169,10 @@
         <source>%1 must be an object with columns and rows</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Rule &quot;%1&quot;: the light is not there. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -7088,6 +7092,58 @@
     </message>
     <message>
         <source>the nearest of their</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>switch on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>switch off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>flash</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sweep from side to side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tell a light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>switch the light “{light}” on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>switch the light “{light}” on over {seconds} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>switch the light “{light}” off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>switch the light “{light}” off over {seconds} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>let the light “{light}” flash for {seconds} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>let the light “{light}” sweep for {seconds} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The light is not there any more: choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does nothing yet: choose a light; the panel Light adds one.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

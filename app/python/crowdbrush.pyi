@@ -2402,6 +2402,20 @@ class actions:
         depth: int
         """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
 
+    class Light(Action):
+        """A light that stands in the scene goes on or off, flashes or sweeps, in this run alone.
+    Once is enough, whoever says it."""
+        def __init__(self, *, light: int = ..., deed: Literal["on", "off", "flash", "sweep"] = ..., seconds: float = ..., depth: int = ...) -> None:
+            ...
+        light: int
+        """its id; begins as 0"""
+        deed: Literal["on", "off", "flash", "sweep"]
+        """what it does; begins as 'on'"""
+        seconds: float
+        """that it takes; 0: at once; 0 to 86400 s; begins as 1.0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
     class SetNumber(Action):
         """Sets an artist's number of his."""
         def __init__(self, *, number: Union[int, Number] = ..., value: float = ..., depth: int = ...) -> None:

@@ -75,6 +75,8 @@ public:
                              const std::string& clip) = 0;
     /// By the end of this step. False: there is no such state.
     virtual bool takeOnState(std::uint32_t agent, const model::actions::TakeOnState& action) = 0;
+    /// At once. False: there is no such light.
+    virtual bool tellLight(const model::actions::TellLight& action) = 0;
     /// By the end of this step. False: the scene has no such value.
     virtual bool takeOnFeature(std::uint32_t agent, std::uint32_t feature) = 0;
     [[nodiscard]] virtual bool bears(std::uint32_t agent, std::uint32_t feature) const = 0;

@@ -88,6 +88,7 @@ SessionPosePtr capturePose(const SessionParts& parts)
     }
     pose->gone = static_cast<std::size_t>(std::ranges::count_if(
         pose->flags, [](std::uint8_t flags) { return (flags & kPoseGone) != 0; }));
+    pose->lightCues = parts.lightCues;
     for (const std::uint32_t agent : parts.rules.lit()) {
         pose->lit.push_back(parts.population.ids()[agent]);
     }

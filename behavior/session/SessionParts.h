@@ -25,6 +25,7 @@
 #include "behavior/session/SessionPlan.h"
 #include "behavior/session/SessionProblems.h"
 #include "behavior/surface/WalkSurface.h"
+#include "model/scene/LightCue.h"
 #include "model/scene/Scene.h"
 
 namespace crowd::behavior {
@@ -101,9 +102,10 @@ struct SessionParts
     ParkedDetours detours;
     Companions companions;
     AgentUpdate update;
-    std::vector<RuleRecall> ruleRecalls;   ///< of this step
-    std::vector<RuleFeature> ruleFeatures; ///< of this step
-    std::vector<DueRecall> dueRecalls;     ///< that rules will hear of
+    std::vector<RuleRecall> ruleRecalls;               ///< of this step
+    std::vector<RuleFeature> ruleFeatures;             ///< of this step
+    std::vector<DueRecall> dueRecalls;                 ///< that rules will hear of
+    std::shared_ptr<const model::LightCues> lightCues; ///< null: none was told anything
     // As of the last step.
     std::shared_ptr<const OverrideColumns> shownOverrides;
     std::shared_ptr<const std::vector<OwnNumber>> shownNumbers;

@@ -241,6 +241,7 @@ std::vector<bool> whoIsBusy(const SessionPose& pose, const model::Population& pe
 
 void applyPose(const SessionPose& before, const SessionPose& after, model::CrowdFrame& frame)
 {
+    frame.lightCues = before.lightCues;
     if (before.recalled && frame.population.version() == before.sceneVersion) {
         frame.population = before.people;
     } else if (before.recalled) {

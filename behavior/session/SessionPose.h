@@ -52,7 +52,8 @@ struct SessionPose
     model::Population people; ///< where there is such: the scene's, with these values
     /// Version of the scene's population that the session knows.
     std::uint64_t sceneVersion = 0;
-    std::shared_ptr<const FadeColumns> stateFades; ///< null: nobody changes over
+    std::shared_ptr<const FadeColumns> stateFades;     ///< null: nobody changes over
+    std::shared_ptr<const model::LightCues> lightCues; ///< null: as the scene has them
 };
 
 using SessionPosePtr = std::shared_ptr<const SessionPose>;

@@ -247,6 +247,20 @@ bool SessionRules::takeOnState(std::uint32_t agent, const model::actions::TakeOn
     return true;
 }
 
+bool SessionRules::tellLight(const model::actions::TellLight& action)
+{
+    const model::Light* light = model::findLight(m_parts.lastScene.lights, action.light);
+    if (light == nullptr) {
+        return false;
+    }
+    model::LightCues cues = m_parts.lightCues ? *m_parts.lightCues : model::LightCues();
+    model::tellLight(cues, *light, action.deed, action.seconds, m_parts.clock.seconds());
+    if (!m_parts.lightCues || cues != *m_parts.lightCues) {
+        m_parts.lightCues = std::make_shared<const model::LightCues>(std::move(cues));
+    }
+    return true;
+}
+
 bool SessionRules::takeOnFeature(std::uint32_t agent, std::uint32_t feature)
 {
     constexpr std::uint32_t kMost = 0xFFFF;

@@ -53,6 +53,7 @@ public:
     bool takeOnFeature(std::uint32_t agent, std::uint32_t feature) override;
     [[nodiscard]] bool bears(std::uint32_t agent, std::uint32_t feature) const override;
     bool takeOnState(std::uint32_t agent, const model::actions::TakeOnState& action) override;
+    bool tellLight(const model::actions::TellLight& action) override;
     void noteTags(std::uint32_t agent, std::uint64_t tags) override;
 
 private:

@@ -30,6 +30,7 @@ enum class FieldRole : std::uint8_t {
     Group,        ///< GroupId; 0: none
     Part,         ///< a part's name; empty: all
     State,        ///< StateId
+    Light,        ///< LightId
     Feature,      ///< FeatureId; in lists with weights, the name of a value
     FeatureKind,  ///< the name of a kind of feature
     Relation,     ///< RelationKindId

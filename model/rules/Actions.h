@@ -28,6 +28,7 @@
 #include "model/rules/actions/StandUp.h"
 #include "model/rules/actions/Stop.h"
 #include "model/rules/actions/TakeOnState.h"
+#include "model/rules/actions/TellLight.h"
 #include "model/rules/actions/TurnTo.h"
 #include "model/rules/actions/Wait.h"
 #include "model/rules/actions/WaitForEvent.h"
@@ -42,6 +43,7 @@ using ActionData =
                  actions::Wait, actions::WaitForEvent, actions::Repeat, actions::OneOf,
                  actions::Again, actions::SendEvent, actions::AddTag, actions::RemoveTag,
                  actions::SetProperty, actions::SetFeature, actions::TakeOnState,
-                 actions::SetNumber, actions::AddToNumber, actions::Appear, actions::LeaveScene>;
+                 actions::TellLight, actions::SetNumber, actions::AddToNumber, actions::Appear,
+                 actions::LeaveScene>;
 
 } // namespace crowd::model

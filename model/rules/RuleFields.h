@@ -77,6 +77,11 @@ namespace crowd::model::rulefields {
     return reference(meta, "state", FieldRole::State);
 }
 
+[[nodiscard]] constexpr FieldMeta light(FieldMeta meta)
+{
+    return reference(meta, "light", FieldRole::Light);
+}
+
 [[nodiscard]] constexpr FieldMeta feature(FieldMeta meta)
 {
     return reference(meta, "feature", FieldRole::Feature);

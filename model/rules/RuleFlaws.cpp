@@ -26,6 +26,8 @@ std::optional<RuleGap> gapOf(const FieldInfo& field, const void* object)
             return isOpen ? std::optional(RuleGap::Number) : std::nullopt;
         case FieldRole::State:
             return isOpen ? std::optional(RuleGap::State) : std::nullopt;
+        case FieldRole::Light:
+            return isOpen ? std::optional(RuleGap::Light) : std::nullopt;
         case FieldRole::Feature:
             return isOpen ? std::optional(RuleGap::Feature) : std::nullopt;
         case FieldRole::Template:
@@ -309,6 +311,8 @@ std::string gapText(RuleGap gap)
         return "choose a template";
     case RuleGap::State:
         return "choose a state";
+    case RuleGap::Light:
+        return "choose a light";
     case RuleGap::Feature:
         return "choose a feature";
     case RuleGap::Deed:

@@ -21,6 +21,7 @@ enum class RuleGap : std::uint8_t {
     Number,
     Template,
     State,
+    Light,
     Feature,
     Deed ///< there is nothing to do
 };

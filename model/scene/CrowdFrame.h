@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/population/Population.h"
+#include "model/scene/LightCue.h"
 #include "model/scene/Scene.h"
 
 namespace crowd::model {
@@ -29,7 +30,8 @@ struct CrowdFrame
     std::shared_ptr<const std::vector<TemplateEntry>> templates;
     double seconds = 0.0;          ///< the transport's time
     std::vector<ClipFade> fades{}; ///< ascending rows; whoever is not here shows his clip alone
-    std::vector<GroupId> hiddenGroups{}; ///< ascending; theirs are neither drawn nor found
+    std::vector<GroupId> hiddenGroups{};          ///< ascending; theirs are neither drawn nor found
+    std::shared_ptr<const LightCues> lightCues{}; ///< null: lights are as the scene has them
 };
 
 using CrowdFramePtr = std::shared_ptr<const CrowdFrame>;

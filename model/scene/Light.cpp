@@ -42,9 +42,9 @@ const Light* findLight(const Lights& lights, LightId id)
     return found == lights.end() ? nullptr : &*found;
 }
 
-LightId freeLightId(const Lights& lights)
+LightId freeLightId(const Lights& lights, LightId taken)
 {
-    LightId last = 0;
+    LightId last = taken;
     for (const Light& each : lights) {
         last = std::max(last, each.id);
     }

@@ -71,8 +71,8 @@ using Lights = std::vector<Light>;
 [[nodiscard]] Light newLight(LightKind kind, const glm::vec3& lit, const glm::vec3& seenFrom);
 
 [[nodiscard]] const Light* findLight(const Lights& lights, LightId id); ///< null: there is none
-/// The next one's; 0: there are as many as there can be.
-[[nodiscard]] LightId freeLightId(const Lights& lights);
+/// The next one's, which is above `taken`; 0: there are as many as there can be.
+[[nodiscard]] LightId freeLightId(const Lights& lights, LightId taken = 0);
 
 inline constexpr std::array kLightKinds{
     FieldChoice{"spot", QT_TRANSLATE_NOOP("Fields", "Spotlight")},

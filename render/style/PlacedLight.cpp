@@ -19,6 +19,33 @@ using namespace model;
 
 constexpr float kSharpest = 0.004F; ///< share of the cone in which even a sharp edge fades
 
+/// One that shines, as rules have it at this moment.
+struct ShiningLight
+{
+    Light light;
+    float turnRadians = 0.0F;
+};
+
+std::vector<ShiningLight> shining(std::span<const Light> lights, const CrowdFrame* frame)
+{
+    std::vector<ShiningLight> on;
+    for (const Light& light : lights) {
+        const LightNow now = frame != nullptr
+                                 ? lightNow(light, frame->lightCues.get(), frame->seconds)
+                                 : lightNow(light, nullptr, 0.0);
+        if (now.share > 0.0F && light.strength > 0.0F) {
+            on.push_back({light, now.turnRadians});
+            on.back().light.strength *= now.share;
+        }
+    }
+    if (on.size() > kMostLightsDrawn) {
+        std::ranges::stable_sort(on, std::ranges::greater(),
+                                 [](const ShiningLight& each) { return each.light.strength; });
+        on.erase(on.begin() + kMostLightsDrawn, on.end());
+    }
+    return on;
+}
+
 PlacedLight placed(const Light& light, const glm::vec3& target)
 {
     PlacedLight made;
@@ -58,21 +85,10 @@ void castersFirst(std::vector<PlacedLight>& lights)
 
 std::vector<PlacedLight> placedLights(std::span<const Light> lights, const CrowdFrame* frame)
 {
-    std::vector<const Light*> on;
-    for (const Light& light : lights) {
-        if (light.isOn && light.strength > 0.0F) {
-            on.push_back(&light);
-        }
-    }
-    if (on.size() > kMostLightsDrawn) {
-        std::ranges::stable_sort(on, std::ranges::greater(),
-                                 [](const Light* each) { return each->strength; });
-        on.resize(kMostLightsDrawn);
-    }
     std::vector<PlacedLight> made;
-    for (const Light* light : on) {
-        if (const auto target = aimedAt(*light, frame)) {
-            made.push_back(placed(*light, *target));
+    for (const ShiningLight& each : shining(lights, frame)) {
+        if (const auto target = aimedAt(each.light, frame)) {
+            made.push_back(placed(each.light, turnedAim(each.light, *target, each.turnRadians)));
         }
     }
     castersFirst(made);

@@ -102,6 +102,7 @@ public:
         note(agent, "state");
         return true;
     }
+    bool tellLight(const model::actions::TellLight& /*action*/) override { return true; }
     bool takeOnFeature(std::uint32_t agent, std::uint32_t /*feature*/) override
     {
         note(agent, "feature");

@@ -10,6 +10,7 @@ crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_PropertyOverrides
     tst_RuleActions
     tst_RuleAims
+    tst_RuleLights
     tst_RuleLooks
     tst_RuleNumbers
     tst_RuleQueue

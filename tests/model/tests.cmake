@@ -39,6 +39,7 @@ crowd_add_tests(ROOM model
     tst_ImportProposal
     tst_Lasso
     tst_LastStrokes
+    tst_LightCues
     tst_LightList
     tst_Message
     tst_Neighbours

@@ -73,6 +73,7 @@ void furnish(SceneDocument& document)
                      follow,
                      dye,
                      actions::TakeOnState{7, 2.5F, 1.0F},
+                     actions::TellLight{5, LightDeed::Sweep, 0.5F},
                      actions::Repeat{0},
                      {actions::OneOf{2.5F}, 1},
                      {actions::PlayClip(), 2}};

@@ -156,6 +156,7 @@ void TestLightList::idsAreNotUsedAgain()
     Lights lights = twoLights();
     QCOMPARE(freeLightId({}), LightId{1});
     QCOMPARE(freeLightId(lights), LightId{10});
+    QCOMPARE(freeLightId(lights, 20), LightId{21}); // a rule names one that is gone
     lights.back().id = 0xFFFFFFFFU;
     QCOMPARE(freeLightId(lights), LightId{0});
     QVERIFY(findLight(lights, 3) == &lights.front());

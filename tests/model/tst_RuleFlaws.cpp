@@ -84,6 +84,7 @@ void TestRuleFlaws::whatIsNotChosenIsSaid_data()
     doing("an event to wait for", actions::WaitForEvent(), RuleGap::AwaitedEvent);
     doing("a number to set", actions::SetNumber(), RuleGap::Number);
     doing("a state to take on", actions::TakeOnState(), RuleGap::State);
+    doing("a light to tell", actions::TellLight(), RuleGap::Light);
     actions::TurnTo turn;
     turn.aim = ActionAim::Place;
     row("a place to turn to", ruleOf(1, "go", {stop, turn}), RuleGap::Place);

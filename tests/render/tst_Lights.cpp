@@ -78,6 +78,7 @@ private Q_SLOTS:
     void stagesAndPeopleAreLit();
     void aFollowSpotGoesWithHim();
     void theStrongestShine();
+    void whatRulesSayIsSeen();
     void stagesStandInTheLight();
     void peopleStandInTheLight();
     void theStrongestCast();
@@ -242,6 +243,35 @@ void TestLights::theStrongestShine()
     many[60] = spotOn({2.0F, 0.0F, 2.0F});
     shine(night(), many);
     QVERIFY(at(2.0F, 2.0F).y > at(0.0F, 0.0F).y + 60);
+}
+
+void TestLights::whatRulesSayIsSeen()
+{
+    render::RenderInput input = night();
+    model::Light light = spotOn({1.0F, 0.0F, -2.0F});
+    light.position += glm::vec3(0.0F, 0.0F, 6.0F);
+    light.isOn = false;
+    const auto shown = [&](model::LightDeed deed, double now) {
+        auto cues = std::make_shared<model::LightCues>();
+        tellLight(*cues, light, model::LightDeed::On, 0.0F, 0.0);
+        tellLight(*cues, light, deed, 2.0F, 1.0);
+        auto frame = std::make_shared<model::CrowdFrame>(*input.frame);
+        frame->lightCues = cues;
+        frame->seconds = now;
+        input.frame = frame;
+        shine(input, {light});
+        return at(1.0F, -2.0F).y;
+    };
+    shine(input, {light});
+    const int dark = at(1.0F, -2.0F).y;
+    const int lit = shown(model::LightDeed::On, 1.5);
+    QVERIFY(lit > dark + 40);
+    const int half = shown(model::LightDeed::Off, 2.0);
+    QVERIFY(half > dark && half < lit);
+    QCOMPARE(shown(model::LightDeed::Off, 3.5), dark);
+    QVERIFY(shown(model::LightDeed::Flash, 1.0) > lit + 20);
+    QCOMPARE(shown(model::LightDeed::Sweep, 1.5), dark); // away to one side
+    QCOMPARE(shown(model::LightDeed::Sweep, 9.0), lit);  // and back
 }
 
 void TestLights::stagesStandInTheLight()

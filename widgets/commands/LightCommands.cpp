@@ -9,6 +9,8 @@
 #include <glm/geometric.hpp>
 
 #include "model/document/SceneEdit.h"
+#include "model/rules/Rule.h"
+#include "model/rules/RuleValues.h"
 #include "widgets/state/BrushTexts.h"
 
 namespace crowd::widgets {
@@ -50,6 +52,18 @@ void bringIntoView(const EditorState& state, Light& light)
     }
 }
 
+/// A rule whose light is gone does not mean the next one.
+LightId lastLightOfRules(const model::Scene& scene)
+{
+    LightId last = 0;
+    for (const model::Rule& rule : scene.rules) {
+        for (const std::uint32_t named : idsNamedIn(rule, model::FieldRole::Light)) {
+            last = named != model::kNotChosen ? std::max(last, named) : last;
+        }
+    }
+    return last;
+}
+
 } // namespace
 
 LightId addLight(EditorState& state, LightKind kind, const glm::vec3& lit)
@@ -57,7 +71,7 @@ LightId addLight(EditorState& state, LightKind kind, const glm::vec3& lit)
     Lights lights = state.scene().lights;
     Light light = newLight(kind, lit, state.camera().position);
     bringIntoView(state, light);
-    light.id = freeLightId(lights);
+    light.id = freeLightId(lights, lastLightOfRules(state.scene()));
     if (light.id == 0) {
         state.showStatus(LightText::tr("A scene has at most %1 lights: remove one first.")
                              .arg(model::kMostLights));

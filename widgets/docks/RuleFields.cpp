@@ -164,6 +164,9 @@ void addReferenceField(QHBoxLayout* row, const model::Scene& scene, model::Field
     case model::FieldRole::State:
         addEntryField(row, scene.states, id, any, changed);
         break;
+    case model::FieldRole::Light:
+        addEntryField(row, scene.lights, id, any, changed);
+        break;
     case model::FieldRole::Feature:
         addEntryField(row, featureEntries(scene), id, any, changed);
         break;

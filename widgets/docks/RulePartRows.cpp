@@ -142,6 +142,7 @@ void PartRows::addInteger(QHBoxLayout* row, const FieldInfo& field, std::int64_t
     case FieldRole::Template:
     case FieldRole::ArtistNumber:
     case FieldRole::State:
+    case FieldRole::Light:
     case FieldRole::Feature:
     case FieldRole::Relation:
         addReferenceField(row, scene, meta.role, static_cast<std::uint32_t>(value),

@@ -80,6 +80,9 @@ QString missingText(const Scene& scene, const FieldMeta& meta, const FieldValue&
     if (meta.role == FieldRole::State && !isThere(scene.states, *id)) {
         return RuleProblemsText::tr("The state is not there any more: choose another one.");
     }
+    if (meta.role == FieldRole::Light && !isThere(scene.lights, *id)) {
+        return RuleProblemsText::tr("The light is not there any more: choose another one.");
+    }
     if (meta.role == FieldRole::Feature && !isThere(model::allFeatures(scene.features), *id)) {
         return RuleProblemsText::tr("The feature is not there any more: choose another one.");
     }
@@ -146,6 +149,9 @@ QString gapText(RuleGap gap)
     case RuleGap::State:
         return RuleProblemsText::tr("It does nothing yet: choose a state; the panel States keeps "
                                     "one.");
+    case RuleGap::Light:
+        return RuleProblemsText::tr(
+            "It does nothing yet: choose a light; the panel Light adds one.");
     case RuleGap::Feature:
         return RuleProblemsText::tr("It does nothing yet: choose a feature.");
     case RuleGap::Template:

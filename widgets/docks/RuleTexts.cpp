@@ -70,6 +70,8 @@ QString integerText(const Scene& scene, const FieldMeta& meta, std::int64_t valu
         return entryText(scene.numbers, value, RuleTextsContext::tr("a number"));
     case FieldRole::State:
         return entryText(scene.states, value, none);
+    case FieldRole::Light:
+        return entryText(scene.lights, value, none);
     case FieldRole::Feature:
         return featureName(scene, value, none);
     case FieldRole::Relation:

@@ -173,17 +173,18 @@ void RulesDock::connectTimers()
 
 void RulesDock::connectState()
 {
-    connect(&m_state.document(), &model::SceneDocument::changed, this,
-            [this](const model::SceneChange& change) {
-                if (isOneOf<model::SceneReplaced>(change)) {
-                    forgetLog(); // it is of another scene
-                }
-                if (isOneOf<model::RulesChanged, model::PathsChanged, model::StatesChanged,
-                            model::FeaturesChanged, model::RelationKindsChanged,
-                            model::TemplatesChanged, model::SceneReplaced>(change)) {
-                    m_rebuild.start();
-                }
-            });
+    connect(
+        &m_state.document(), &model::SceneDocument::changed, this,
+        [this](const model::SceneChange& change) {
+            if (isOneOf<model::SceneReplaced>(change)) {
+                forgetLog(); // it is of another scene
+            }
+            if (isOneOf<model::RulesChanged, model::PathsChanged, model::StatesChanged,
+                        model::LightsChanged, model::FeaturesChanged, model::RelationKindsChanged,
+                        model::TemplatesChanged, model::SceneReplaced>(change)) {
+                m_rebuild.start();
+            }
+        });
     connect(&m_state.session(), &SessionControl::stateChanged, this, [this] {
         if (m_state.session().isRunning()) {
             forgetLog();

@@ -197,6 +197,18 @@ void ViewportWidget::releaseContext()
     }
 }
 
+/// Of relations, lights, and the point that a panel speaks of.
+void ViewportWidget::makeLines(const model::CrowdFrame& frame)
+{
+    m_arcs.make(m_state, frame);
+    m_lightMarks.make(m_state, frame);
+    m_lines.assign(m_arcs.lines().begin(), m_arcs.lines().end());
+    m_lines.insert(m_lines.end(), m_lightMarks.lines().begin(), m_lightMarks.lines().end());
+    if (m_state.markedPoint()) {
+        addPointMark(m_lines, *m_state.markedPoint(), m_state.camera());
+    }
+}
+
 render::RenderInput ViewportWidget::renderInput()
 {
     const ViewOptions& options = m_state.viewOptions();
@@ -230,13 +242,7 @@ render::RenderInput ViewportWidget::renderInput()
         m_marks.add(queries.freeSeats());
     }
     input.markers = m_marks.markers();
-    m_arcs.make(m_state, *input.frame);
-    m_lightMarks.make(m_state, *input.frame);
-    m_lines.assign(m_arcs.lines().begin(), m_arcs.lines().end());
-    m_lines.insert(m_lines.end(), m_lightMarks.lines().begin(), m_lightMarks.lines().end());
-    if (m_state.markedPoint()) {
-        addPointMark(m_lines, *m_state.markedPoint(), m_state.camera());
-    }
+    makeLines(*input.frame);
     input.lines = m_lines;
     if (options.showPaths) {
         input.areas = m_paths.areas(m_state, queries.stage());

@@ -93,6 +93,7 @@ private:
     void setProblem(const model::Message& said);
     void renewTexts();
     [[nodiscard]] render::RenderInput renderInput();
+    void makeLines(const model::CrowdFrame& frame);
 
     EditorState& m_state;
     std::unique_ptr<render::Renderer> m_renderer;
