@@ -39,8 +39,10 @@ glm::mat4 mapFromClip(std::size_t lamp, int across)
 {
     const float share = 1.0F / static_cast<float>(across);
     const auto index = static_cast<int>(lamp);
-    const glm::vec3 corner(static_cast<float>(index % across) * share,
-                           static_cast<float>(index / across) * share, 0.0F);
+    const int column = index % across;
+    const int row = index / across;
+    const glm::vec3 corner(static_cast<float>(column) * share, static_cast<float>(row) * share,
+                           0.0F);
     const glm::vec3 half(0.5F * share, 0.5F * share, 0.5F);
     return glm::scale(glm::translate(glm::mat4(1.0F), corner + half), half);
 }
