@@ -13,16 +13,6 @@ constexpr float kFlashShare = 3.0F;      ///< of its strength, on top
 constexpr float kSweepRadians = 0.6F;    ///< to each side
 constexpr float kShortestSeconds = 0.1F; ///< shorter ones would fall between two pictures
 
-float fadedShare(const LightCue& cue, double now)
-{
-    if (cue.fadeSeconds <= 0.0F) {
-        return cue.to;
-    }
-    const auto way =
-        static_cast<float>((now - cue.fadeBegin) / static_cast<double>(cue.fadeSeconds));
-    return std::lerp(cue.from, cue.to, std::clamp(way, 0.0F, 1.0F));
-}
-
 /// Share of what takes so long that has passed; 1 where it is over, or does not happen.
 float passed(double begin, float seconds, double now)
 {
@@ -31,6 +21,11 @@ float passed(double begin, float seconds, double now)
     }
     const double share = (now - begin) / static_cast<double>(seconds);
     return static_cast<float>(std::clamp(share, 0.0, 1.0));
+}
+
+float fadedShare(const LightCue& cue, double now)
+{
+    return std::lerp(cue.from, cue.to, passed(cue.fadeBegin, cue.fadeSeconds, now));
 }
 
 LightCue& cueFor(LightCues& cues, const Light& light)
@@ -95,8 +90,8 @@ LightNow lightNow(const Light& light, const LightCues* cues, double now)
     if (cue == cues->end()) {
         return state;
     }
-    const float dark = 1.0F - passed(cue->flashBegin, cue->flashSeconds, now);
-    state.share = fadedShare(*cue, now) + kFlashShare * dark * dark;
+    const float left = 1.0F - passed(cue->flashBegin, cue->flashSeconds, now);
+    state.share = fadedShare(*cue, now) + kFlashShare * left * left;
     const float way = passed(cue->sweepBegin, cue->sweepSeconds, now);
     state.turnRadians =
         way < 1.0F ? kSweepRadians * std::sin(2.0F * std::numbers::pi_v<float> * way) : 0.0F;
