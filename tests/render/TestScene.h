@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "model/bake/KeyframeStore.h"
 #include "model/scene/CrowdFrame.h"
 #include "model/scene/Scene.h"
@@ -54,6 +56,24 @@ inline void addBox(model::Mesh& mesh, const glm::vec3& low, const glm::vec3& hig
 /// 1.8 m high, faces +Z: white legs (slot 0 "bottom"), a body (slot 1 "top": white, or blue as
 /// choice 1), a grey hat (slot 2, not tintable, part 0). Clip 0 stands; clip 1 moves a metre up in
 /// a second and a half; clip 2 sits with its seat plane at 0.5 m. `levels` copies of the mesh.
+/// Four corners, counter-clockwise as seen from where it faces; of one white material.
+inline std::shared_ptr<model::StageAsset> makeSheet(const std::array<glm::vec3, 4>& corners)
+{
+    auto stage = std::make_shared<model::StageAsset>();
+    stage->materials.emplace_back();
+    model::StageMesh sheet;
+    sheet.positions.assign(corners.begin(), corners.end());
+    sheet.normals.assign(
+        4, glm::normalize(glm::cross(corners[1] - corners[0], corners[3] - corners[0])));
+    sheet.uv.assign(4, glm::vec2(0));
+    sheet.indices = {0, 1, 2, 0, 2, 3};
+    for (const glm::vec3& corner : corners) {
+        stage->bounds.add(corner);
+    }
+    stage->meshes.push_back(sheet);
+    return stage;
+}
+
 inline std::shared_ptr<model::Template> makeBoxMan(int levels = 1)
 {
     auto asset = std::make_shared<model::Template>();

@@ -122,17 +122,8 @@ void TestCartoon::creasesHaveInk()
 void TestCartoon::lightComesInSteps()
 {
     // Two triangles whose normals turn from towards the sun to away from it.
-    auto stage = std::make_shared<model::StageAsset>();
-    stage->materials.emplace_back();
-    model::StageMesh sheet;
-    sheet.positions = {{-2, 0.1F, 2}, {2, 0.1F, 2}, {2, 0.1F, -2}, {-2, 0.1F, -2}};
-    sheet.normals = {{0, 1, 0}, {0, -1, 0.01F}, {0, -1, 0.01F}, {0, 1, 0}};
-    sheet.uv.assign(4, glm::vec2(0));
-    sheet.indices = {0, 1, 2, 0, 2, 3};
-    for (const glm::vec3& corner : sheet.positions) {
-        stage->bounds.add(corner);
-    }
-    stage->meshes.push_back(sheet);
+    auto stage = makeSheet({{{-2, 0.1F, 2}, {2, 0.1F, 2}, {2, 0.1F, -2}, {-2, 0.1F, -2}}});
+    stage->meshes[0].normals = {{0, 1, 0}, {0, -1, 0.01F}, {0, -1, 0.01F}, {0, 1, 0}};
     model::StageEntry entry;
     entry.asset = stage;
     const auto valuesOf = [&](render::Look look) {

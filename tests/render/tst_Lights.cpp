@@ -34,22 +34,11 @@ model::Light spotOn(const glm::vec3& target)
 /// A board a metre wide and deep, so high above a place of the ground.
 model::StageEntry boardOver(float x, float z, float height)
 {
-    auto stage = std::make_shared<model::StageAsset>();
-    stage->materials.emplace_back();
-    model::StageMesh board;
-    board.positions = {{x - 0.5F, height, z + 0.5F},
-                       {x + 0.5F, height, z + 0.5F},
-                       {x + 0.5F, height, z - 0.5F},
-                       {x - 0.5F, height, z - 0.5F}};
-    board.normals.assign(4, glm::vec3(0, 1, 0));
-    board.uv.assign(4, glm::vec2(0));
-    board.indices = {0, 1, 2, 0, 2, 3};
-    for (const glm::vec3& corner : board.positions) {
-        stage->bounds.add(corner);
-    }
-    stage->meshes.push_back(board);
     model::StageEntry entry;
-    entry.asset = stage;
+    entry.asset = makeSheet({{{x - 0.5F, height, z + 0.5F},
+                              {x + 0.5F, height, z + 0.5F},
+                              {x + 0.5F, height, z - 0.5F},
+                              {x - 0.5F, height, z - 0.5F}}});
     return entry;
 }
 
@@ -185,19 +174,8 @@ void TestLights::stagesAndPeopleAreLit()
 {
     render::RenderInput input = night();
     input.frame = frameOf(makeRow(1), {entryFor(m_man)});
-    auto stage = std::make_shared<model::StageAsset>();
-    stage->materials.emplace_back();
-    model::StageMesh slab;
-    slab.positions = {{1, 0.1F, 3}, {3, 0.1F, 3}, {3, 0.1F, 1}, {1, 0.1F, 1}};
-    slab.normals.assign(4, glm::vec3(0, 1, 0));
-    slab.uv.assign(4, glm::vec2(0));
-    slab.indices = {0, 1, 2, 0, 2, 3};
-    for (const glm::vec3& corner : slab.positions) {
-        stage->bounds.add(corner);
-    }
-    stage->meshes.push_back(slab);
     model::StageEntry entry;
-    entry.asset = stage;
+    entry.asset = makeSheet({{{1, 0.1F, 3}, {3, 0.1F, 3}, {3, 0.1F, 1}, {1, 0.1F, 1}}});
     input.stages = {&entry, 1};
     shine(input, {});
     const int darkMan = at(0.0F, 0.0F).y;

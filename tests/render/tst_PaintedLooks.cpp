@@ -41,23 +41,13 @@ render::RenderInput TestPaintedLooks::frontOf(render::Look look, bool isColourfu
     const auto camera = model::Camera::lookingAt({0.0F, 2.0F, 6.0F}, {0.0F, 1.0F, 0.0F});
     render::RenderInput input(model::View(camera, glm::vec2(kPixels)), *m_keyframes);
     model::Population people = makeRow(1);
-    auto stage = std::make_shared<model::StageAsset>();
-    stage->materials.emplace_back();
+    auto stage = makeSheet({{{-3, 0, -2}, {3, 0, -2}, {3, 1.5F, -2}, {-3, 1.5F, -2}}});
     if (isColourful) {
         setAll(people, model::columns::tint(0), model::Tint{255, 64, 0, 255});
         setAll(people, model::columns::tint(1), model::Tint{0, 200, 0, 255});
         stage->materials[0].baseColor = {0.9F, 0.1F, 0.1F, 1.0F};
         stage->materials[0].emissive = glm::vec3(0.3F);
     }
-    model::StageMesh wall;
-    wall.positions = {{-3, 0, -2}, {3, 0, -2}, {3, 1.5F, -2}, {-3, 1.5F, -2}};
-    wall.normals.assign(4, glm::vec3(0, 0, 1));
-    wall.uv.assign(4, glm::vec2(0));
-    wall.indices = {0, 1, 2, 0, 2, 3};
-    for (const glm::vec3& corner : wall.positions) {
-        stage->bounds.add(corner);
-    }
-    stage->meshes.push_back(wall);
     m_wall = {};
     m_wall.asset = stage;
     input.stages = {&m_wall, 1};

@@ -20,19 +20,10 @@ constexpr float kQuarter = 1.5707963F;
 /// A square of this half size, at a height, facing up.
 std::shared_ptr<model::StageAsset> makeSlab(float half, float height)
 {
-    auto stage = std::make_shared<model::StageAsset>();
-    stage->materials.emplace_back();
-    model::StageMesh slab;
-    slab.positions = {
-        {-half, height, half}, {half, height, half}, {half, height, -half}, {-half, height, -half}};
-    slab.normals.assign(4, glm::vec3(0, 1, 0));
-    slab.uv.assign(4, glm::vec2(0));
-    slab.indices = {0, 1, 2, 0, 2, 3};
-    for (const glm::vec3& corner : slab.positions) {
-        stage->bounds.add(corner);
-    }
-    stage->meshes.push_back(slab);
-    return stage;
+    return makeSheet({{{-half, height, half},
+                       {half, height, half},
+                       {half, height, -half},
+                       {-half, height, -half}}});
 }
 
 } // namespace
