@@ -9,9 +9,6 @@
 /// How a spotlight looks at what it lights. No GL.
 namespace crowd::render {
 
-/// Wider ones throw no shadows: too little would be left of a map in its middle.
-inline constexpr float kWidestCasterRadians = 2.6F;
-
 /// A perspective picture of all within its cone. World frame, metres.
 struct LampView
 {

@@ -9,7 +9,6 @@
 
 #include "model/base/Color.h"
 #include "model/scene/LightAim.h"
-#include "render/shadow/LampView.h"
 
 namespace crowd::render {
 

@@ -12,6 +12,9 @@
 
 namespace crowd::render {
 
+/// Wider cones throw no shadows: too little would be left of a map in its middle.
+inline constexpr float kWidestCasterRadians = 2.6F;
+
 /// A light of the scene in linear light, as the shaders want it. World frame, metres.
 struct PlacedLight
 {
