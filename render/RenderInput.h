@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -100,6 +101,13 @@ struct RenderInput
     Look look = Look::Lit;
     LevelThresholds levels;
     int samples = 4; ///< per pixel; 0: no anti-aliasing
+    /// Where edges are found in the finished picture they are drawn smooth: a fraction of the price
+    /// of samples, and nothing to those that have some. Not where it is transparent.
+    bool smoothsEdges = false;
+    /// Pictures that follow each other while nothing changes ripen into one: the n-th of them, from
+    /// 0, is seen through other parts of the pixels, and what is shown is the mean of all so far.
+    /// None: a picture by itself.
+    std::optional<int> ripeness = std::nullopt;
 
     std::span<const model::IndividualId> selected; ///< ascending
     model::IndividualId hovered = 0;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <epoxy/gl.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "render/gl/Blending.h"
 #include "render/gl/SoftwareTuning.h"
@@ -45,6 +46,31 @@ void endState()
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     glDisable(GL_FRAMEBUFFER_SRGB);
+}
+
+/// The n-th number of a sequence that fills 0..1 evenly, however many are taken (J. H. Halton,
+/// 1960).
+float halton(int n, int base)
+{
+    float sum = 0.0F;
+    float share = 1.0F;
+    for (int rest = n; rest > 0; rest /= base) {
+        share /= static_cast<float>(base);
+        sum += share * static_cast<float>(rest % base);
+    }
+    return sum;
+}
+
+/// Of a picture that ripens, through another part of the pixels each time; the first as it is.
+glm::mat4 shiftedViewProjection(const RenderInput& input, glm::ivec2 size)
+{
+    const int n = input.ripeness.value_or(0);
+    if (n == 0) {
+        return input.view.viewProjection();
+    }
+    const glm::vec2 part(halton(n, 2) - 0.5F, halton(n, 3) - 0.5F);
+    const glm::vec2 clip = 2.0F * part / glm::vec2(size);
+    return glm::translate(glm::mat4(1.0F), {clip.x, clip.y, 0.0F}) * input.view.viewProjection();
 }
 
 bool isSoftwareRenderer()
@@ -127,18 +153,14 @@ model::Result<void> Renderer::Private::draw(const RenderInput& input, const std:
     const glm::ivec2 size =
         input.pixelSize.x > 0 ? input.pixelSize : glm::ivec2(input.view.size() + 0.5F);
     const PassContext context{
-        input, input.view.viewProjection(), Style::of(input), size, isSoftware, statistics};
+        input, shiftedViewProjection(input, size), Style::of(input), size, isSoftware, statistics};
     if (auto begun = passes->target.begin(size, input.samples); !begun) {
         return begun;
     }
     beginState(input.isTransparent);
-    model::Result<void> drawn = passes->draw(context);
-    const bool isHighlighted = input.frame && passes->hasHighlighted();
-    passes->target.end(target, isHighlighted);
-    if (isHighlighted) {
-        passes->outline.draw(context, passes->target.resolved(), passes->crowd,
-                             passes->seen.planned());
-    }
+    auto drawn = passes->draw(context);
+    auto finished = passes->finish(context, target);
+    drawn = drawn ? finished : drawn;
     endState();
     const std::chrono::duration<double, std::milli> spent =
         std::chrono::steady_clock::now() - start;

@@ -8414,6 +8414,26 @@ Verworfen ist sie fort.</translation>
         <source>Memory for undo</source>
         <translation>Speicher für Rückgängig</translation>
     </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Fast</source>
+        <translation>Schnell</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Am besten</translation>
+    </message>
+    <message>
+        <source>Automatic: smooth while it can keep up, and perfect when nothing moves. Fast spares an old machine; best is always smooth.</source>
+        <translation>Automatisch: glatt, solange es mithält, und vollkommen, wenn sich nichts bewegt. Schnell schont alte Rechner; am besten ist immer glatt.</translation>
+    </message>
+    <message>
+        <source>Quality of the picture</source>
+        <translation>Qualität des Bildes</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::RecordPanel</name>

@@ -8409,6 +8409,26 @@ Thrown away, it is gone.</source>
         <source>Memory for undo</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Automatic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic: smooth while it can keep up, and perfect when nothing moves. Fast spares an old machine; best is always smooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quality of the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::RecordPanel</name>

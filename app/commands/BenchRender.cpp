@@ -106,7 +106,8 @@ public:
 
 private:
     [[nodiscard]] render::RenderInput inputAt(double seconds);
-    [[nodiscard]] model::Result<double> timeOurs(double seconds, render::Look look);
+    [[nodiscard]] model::Result<double> timeOurs(double seconds, render::Look look,
+                                                 bool smoothsEdges);
     [[nodiscard]] model::Result<void> timePlain(double seconds, bool isWarm);
     [[nodiscard]] model::Result<double> timeReference(double seconds);
 
@@ -174,11 +175,12 @@ render::RenderInput Comparison::inputAt(double seconds)
     return input;
 }
 
-model::Result<double> Comparison::timeOurs(double seconds, render::Look look)
+model::Result<double> Comparison::timeOurs(double seconds, render::Look look, bool smoothsEdges)
 {
     (void)m_core->makeCurrent();
     render::RenderInput input = inputAt(seconds);
     input.look = look;
+    input.smoothsEdges = smoothsEdges;
     const double start = now(m_options.clock == "cpu");
     if (auto drawn = m_renderer.draw(input); !drawn) {
         return drawn.error();
@@ -201,7 +203,7 @@ model::Result<double> Comparison::timeReference(double seconds)
 
 model::Result<void> Comparison::timePlain(double seconds, bool isWarm)
 {
-    auto plain = timeOurs(seconds, render::Look::Plain);
+    auto plain = timeOurs(seconds, render::Look::Plain, false);
     if (!plain) {
         return plain.error();
     }
@@ -219,7 +221,7 @@ model::Result<void> Comparison::run()
         if (auto plain = timePlain(seconds, i >= kWarmUpFrames); !plain) {
             return plain.error();
         }
-        auto ours = timeOurs(seconds, look); // last: whose picture is written
+        auto ours = timeOurs(seconds, look, m_options.edges); // last: whose picture is written
         if (!ours) {
             return ours.error();
         }
@@ -270,6 +272,7 @@ QJsonObject Comparison::report() const
     json[QStringLiteral("height")] = m_size.y;
     json[QStringLiteral("detail")] = QString::fromStdString(m_options.detail);
     json[QStringLiteral("samples")] = m_options.samples;
+    json[QStringLiteral("edges")] = m_options.edges;
     json[QStringLiteral("clock")] = QString::fromStdString(m_options.clock);
     json[QStringLiteral("median_ms")] = ours.median;
     json[QStringLiteral("p95_ms")] = ours.p95;

@@ -16,6 +16,7 @@ struct BenchRenderOptions
     std::string picture;           ///< writes what both drew to PICTURE-ours.png and -reference.png
     int frames = 40;
     int samples = 4;            ///< per pixel
+    bool edges = false;         ///< smooth in the last step; not those of plain frames
     std::string clock = "wall"; ///< "wall" or "cpu": processor time of all threads
     std::string look = "lit";   ///< of ours; plain frames are timed beside it
     std::string light;          ///< a ready-made one; empty: the scene's

@@ -90,6 +90,7 @@ void addBenchRenderCommand(CLI::App& bench, BenchRenderOptions& options, int& st
     command->add_option("--samples", options.samples, "Samples per pixel, for both ways")
         ->check(CLI::Range(0, 16))
         ->capture_default_str();
+    command->add_flag("--edges", options.edges, "Smooth edges of ours in the last step");
     command
         ->add_option("--clock", options.clock,
                      "wall, or cpu: processor time of all threads, for a busy machine")

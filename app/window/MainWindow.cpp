@@ -323,6 +323,7 @@ void MainWindow::applyPreferences(const Preferences& preferences)
     m_document.setUndoBudget(static_cast<std::size_t>(preferences.undoMegabytes) << 20U);
     auto options = m_state.viewOptions();
     options.buttons = preferences.buttons;
+    options.quality = preferences.quality;
     m_state.setViewOptions(options);
     m_viewport->update(); // a larger budget lets more people move
 }

@@ -2,6 +2,7 @@
 #include "app/window/PreferencesDialog.h"
 
 #include <algorithm>
+#include <array>
 
 #include <QtCore/QSettings>
 #include <QtWidgets/QCheckBox>
@@ -23,6 +24,7 @@ namespace {
 
 const QString kTheme = QStringLiteral("preferences/theme");
 const QString kButtons = QStringLiteral("preferences/paperMouse");
+const QString kQuality = QStringLiteral("preferences/pictureQuality");
 const QString kAutosave = QStringLiteral("preferences/autosaveSeconds");
 const QString kMemory = QStringLiteral("preferences/keyframeMegabytes");
 const QString kUndoMemory = QStringLiteral("preferences/undoMegabytes");
@@ -30,6 +32,16 @@ const QString kLanguage = QStringLiteral("preferences/language");
 const QString kWelcome = QStringLiteral("preferences/showsWelcome");
 
 constexpr double kSecondsInAMinute = 60.0;
+const std::array kQualities{QStringLiteral("automatic"), QStringLiteral("fast"),
+                            QStringLiteral("best")}; ///< as they are kept
+
+widgets::PictureQuality qualityNamed(const QString& name)
+{
+    const auto found = std::ranges::find(kQualities, name);
+    return found == kQualities.end()
+               ? widgets::PictureQuality::Automatic
+               : static_cast<widgets::PictureQuality>(found - kQualities.begin());
+}
 
 } // namespace
 
@@ -40,6 +52,7 @@ Preferences Preferences::load()
     preferences.theme = widgets::themeNamed(settings.value(kTheme).toString());
     preferences.buttons = settings.value(kButtons).toBool() ? widgets::ButtonMapping::Paper
                                                             : widgets::ButtonMapping::Standard;
+    preferences.quality = qualityNamed(settings.value(kQuality).toString());
     preferences.autosaveSeconds = settings.value(kAutosave, preferences.autosaveSeconds).toInt();
     preferences.keyframeMegabytes = settings.value(kMemory, preferences.keyframeMegabytes).toInt();
     preferences.undoMegabytes = settings.value(kUndoMemory, preferences.undoMegabytes).toInt();
@@ -53,6 +66,7 @@ void Preferences::save() const
     QSettings settings;
     settings.setValue(kTheme, widgets::themeName(theme));
     settings.setValue(kButtons, buttons == widgets::ButtonMapping::Paper);
+    settings.setValue(kQuality, kQualities[static_cast<std::size_t>(quality)]);
     settings.setValue(kAutosave, autosaveSeconds);
     settings.setValue(kMemory, keyframeMegabytes);
     settings.setValue(kUndoMemory, undoMegabytes);
@@ -62,10 +76,10 @@ void Preferences::save() const
 
 PreferencesDialog::PreferencesDialog(widgets::ActionRegistry& actions, QWidget* parent)
     : QDialog(parent), m_before(Preferences::load()), m_shortcuts(new ShortcutsPage(actions, this)),
-      m_theme(new QComboBox(this)), m_buttons(new QComboBox(this)), m_language(new QComboBox(this)),
-      m_autosave(new QDoubleSpinBox(this)), m_memory(new QSpinBox(this)),
-      m_undoMemory(new QSpinBox(this)), m_languageNote(new QLabel(this)),
-      m_welcome(new QCheckBox(this))
+      m_theme(new QComboBox(this)), m_buttons(new QComboBox(this)), m_quality(new QComboBox(this)),
+      m_language(new QComboBox(this)), m_autosave(new QDoubleSpinBox(this)),
+      m_memory(new QSpinBox(this)), m_undoMemory(new QSpinBox(this)),
+      m_languageNote(new QLabel(this)), m_welcome(new QCheckBox(this))
 {
     setWindowTitle(tr("Preferences"));
     fill();
@@ -79,7 +93,7 @@ PreferencesDialog::PreferencesDialog(widgets::ActionRegistry& actions, QWidget* 
     layout->addWidget(pages);
     layout->addWidget(buttons);
     resize(600, 520);
-    for (QComboBox* box : {m_theme, m_buttons, m_language}) {
+    for (QComboBox* box : {m_theme, m_buttons, m_quality, m_language}) {
         connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::choose);
     }
     connect(m_autosave, &QDoubleSpinBox::valueChanged, this, &PreferencesDialog::choose);
@@ -96,6 +110,10 @@ void PreferencesDialog::fill()
     m_buttons->addItem(tr("Left paints, right opens the brushes"));
     m_buttons->addItem(tr("Left a point, middle a circle, right a rectangle"));
     m_buttons->setCurrentIndex(m_before.buttons == widgets::ButtonMapping::Paper ? 1 : 0);
+    m_quality->addItems({tr("Automatic"), tr("Fast"), tr("Best")});
+    m_quality->setCurrentIndex(static_cast<int>(m_before.quality));
+    m_quality->setToolTip(tr("Automatic: smooth while it can keep up, and perfect when nothing "
+                             "moves. Fast spares an old machine; best is always smooth."));
     m_language->addItem(tr("As the system"), QString());
     for (const Language& language : languages()) {
         m_language->addItem(language.name, language.code);
@@ -135,6 +153,7 @@ QWidget* PreferencesDialog::generalPage()
     form->setContentsMargins(14, 14, 14, 14);
     form->addRow(tr("Theme"), m_theme);
     form->addRow(tr("Mouse buttons of the brushes"), m_buttons);
+    form->addRow(tr("Quality of the picture"), m_quality);
     form->addRow(tr("Keep unsaved work every"), m_autosave);
     form->addRow(tr("Memory for baked animations"), m_memory);
     form->addRow(tr("Memory for undo"), m_undoMemory);
@@ -150,6 +169,7 @@ Preferences PreferencesDialog::chosen() const
     preferences.theme = static_cast<widgets::Theme>(m_theme->currentIndex());
     preferences.buttons = m_buttons->currentIndex() == 1 ? widgets::ButtonMapping::Paper
                                                          : widgets::ButtonMapping::Standard;
+    preferences.quality = static_cast<widgets::PictureQuality>(m_quality->currentIndex());
     preferences.autosaveSeconds = qRound(m_autosave->value() * kSecondsInAMinute);
     preferences.keyframeMegabytes = m_memory->value();
     preferences.undoMegabytes = m_undoMemory->value();

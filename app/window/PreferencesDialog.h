@@ -22,6 +22,7 @@ struct Preferences
 {
     widgets::Theme theme = widgets::Theme::System;
     widgets::ButtonMapping buttons = widgets::ButtonMapping::Standard;
+    widgets::PictureQuality quality = widgets::PictureQuality::Automatic;
     int autosaveSeconds = 60; ///< 0: off
     int keyframeMegabytes = 512;
     int undoMegabytes = 256;
@@ -63,6 +64,7 @@ private:
     ShortcutsPage* m_shortcuts;
     QComboBox* m_theme;
     QComboBox* m_buttons;
+    QComboBox* m_quality;
     QComboBox* m_language;
     QDoubleSpinBox* m_autosave; ///< minutes
     QSpinBox* m_memory;         ///< of baked animations, MB

@@ -32,6 +32,12 @@ GlTexture makeTexture(glm::ivec2 size)
     return texture;
 }
 
+/// To the bound framebuffer.
+void attachPicture(const GlTexture& texture)
+{
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.name(), 0);
+}
+
 bool isComplete()
 {
     return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
@@ -73,21 +79,25 @@ void PictureTarget::copyDepth(std::uint32_t framebuffer) const
 
 model::Result<void> PictureTarget::make()
 {
-    m_drawnColor = makeStorage(GL_SRGB8_ALPHA8, m_size, m_samples);
+    m_resolvedColor = makeTexture(m_size);
     m_drawnDepth = makeStorage(GL_DEPTH24_STENCIL8, m_size, m_samples);
     m_drawn = GlFramebuffer::create();
     glBindFramebuffer(GL_FRAMEBUFFER, m_drawn.name());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                              m_drawnColor.name());
+    if (m_samples == 0) {
+        m_drawnColor.reset();
+        attachPicture(m_resolvedColor);
+    } else {
+        m_drawnColor = makeStorage(GL_SRGB8_ALPHA8, m_size, m_samples);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                                  m_drawnColor.name());
+    }
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
                               m_drawnDepth.name());
     bool isUsable = isComplete();
     m_copy.reset();
-    m_resolvedColor = makeTexture(m_size);
     m_resolved = GlFramebuffer::create();
     glBindFramebuffer(GL_FRAMEBUFFER, m_resolved.name());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
-                           m_resolvedColor.name(), 0);
+    attachPicture(m_resolvedColor);
     isUsable = isUsable && isComplete();
     if (!isUsable) {
         return model::Error{
@@ -106,6 +116,27 @@ void PictureTarget::makeCopy()
     glBindFramebuffer(GL_FRAMEBUFFER, m_copy.name());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
                               m_copyColor.name());
+    m_copyMarks = makeStorage(GL_DEPTH24_STENCIL8, m_size, 0);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
+                              m_copyMarks.name());
+}
+
+std::uint32_t PictureTarget::resolvedFrame() const
+{
+    return m_resolved.name();
+}
+
+void PictureTarget::resolve()
+{
+    if (m_samples > 0) {
+        // The bytes are copied as they are, encoded.
+        glDisable(GL_FRAMEBUFFER_SRGB);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, m_drawn.name());
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, m_resolved.name());
+        glBlitFramebuffer(0, 0, m_size.x, m_size.y, 0, 0, m_size.x, m_size.y, GL_COLOR_BUFFER_BIT,
+                          GL_NEAREST);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, m_resolved.name());
 }
 
 void PictureTarget::end(const std::uint32_t* framebuffer, bool needsCopy)
@@ -116,12 +147,7 @@ void PictureTarget::end(const std::uint32_t* framebuffer, bool needsCopy)
     }
     const std::uint32_t copy = m_copy.name();
     const std::uint32_t* const target = m_isCopied ? &copy : framebuffer;
-    // The bytes are copied as they are, encoded.
-    glDisable(GL_FRAMEBUFFER_SRGB);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_drawn.name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, m_resolved.name());
-    glBlitFramebuffer(0, 0, m_size.x, m_size.y, 0, 0, m_size.x, m_size.y, GL_COLOR_BUFFER_BIT,
-                      GL_NEAREST);
+    glDisable(GL_FRAMEBUFFER_SRGB); // the bytes are copied as they are, encoded
     if (target != nullptr) {
         glBindFramebuffer(GL_READ_FRAMEBUFFER, m_resolved.name());
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, *target);

@@ -24,12 +24,16 @@ public:
     /// Copies what it has of depth to a framebuffer of the same size and format; leaves that one
     /// bound.
     void copyDepth(std::uint32_t framebuffer) const;
-    /// Resolves; then copies to `framebuffer`'s origin unless it is null. Leaves that one (or the
+    /// What was drawn, with a sample a pixel, is in resolved() from now on; that is bound.
+    void resolve();
+    /// Copies what is resolved to `framebuffer`'s origin unless it is null. Leaves that one (or the
     /// resolved one) bound. Where something more is drawn from resolved(), the copy is needed and
     /// goes to a framebuffer of its own instead of none.
     void end(const std::uint32_t* framebuffer, bool needsCopy);
     /// The texture with the resolved picture, alpha as it was drawn.
     [[nodiscard]] std::uint32_t resolved() const { return m_resolvedColor.name(); }
+    /// The framebuffer of that texture.
+    [[nodiscard]] std::uint32_t resolvedFrame() const;
     /// RGBA8 of the finished picture, rows from the top.
     [[nodiscard]] std::vector<std::uint8_t> read() const;
     [[nodiscard]] glm::ivec2 size() const { return m_size; }
@@ -44,10 +48,11 @@ private:
     GlRenderbuffer m_drawnColor;
     GlRenderbuffer m_drawnDepth;
     GlFramebuffer m_resolved;
-    GlTexture m_resolvedColor;
-    GlFramebuffer m_copy; ///< made when first needed
+    GlTexture m_resolvedColor; ///< drawn into at once where a pixel has one sample
+    GlFramebuffer m_copy;      ///< made when first needed
     GlRenderbuffer m_copyColor;
-    bool m_isCopied = false; ///< the finished picture is there, not in m_resolved
+    GlRenderbuffer m_copyMarks; ///< depth and stencil
+    bool m_isCopied = false;    ///< the finished picture is there, not in m_resolved
 };
 
 } // namespace crowd::render

@@ -16,6 +16,10 @@ namespace {
 
 std::string fullText(const std::string& file, std::string_view defines)
 {
+    std::string_view own = shaderSource(file);
+    if (own.empty() && file.ends_with(".vert")) {
+        own = shaderSource("screen.vert"); // of passes over the whole picture
+    }
     std::string text = "#version 330 core\n";
     std::istringstream words{std::string(defines)};
     for (std::string word; words >> word;) {
@@ -29,7 +33,7 @@ std::string fullText(const std::string& file, std::string_view defines)
         text += shaderSource("shadow.glsl");
         text += shaderSource("tone.glsl");
     }
-    return text.append(shaderSource(file));
+    return text.append(own);
 }
 
 std::string logOf(GLuint object, bool isProgram)

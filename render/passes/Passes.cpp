@@ -109,6 +109,7 @@ model::Result<void> Passes::initialize()
     background.initialize();
     beams.initialize();
     occlusion.initialize();
+    edges.initialize();
     ink.initialize();
     auto ready = blobs.initialize();
     ready = ready ? overlay.initialize() : ready;
@@ -181,6 +182,26 @@ model::Result<void> Passes::draw(PassContext context)
         }
     }
     return {};
+}
+
+model::Result<void> Passes::finish(const PassContext& context, const std::uint32_t* framebuffer)
+{
+    const RenderInput& input = context.input;
+    const bool isHighlighted = input.frame && !seen.planned().highlighted().empty();
+    const bool isSmoothed = EdgePass::isNeeded(context);
+    model::Result<void> drawn;
+    target.resolve();
+    if (input.ripeness) {
+        drawn = sum.add(*input.ripeness, target.resolved(), target.resolvedFrame(), target.size());
+    }
+    target.end(framebuffer, isHighlighted || isSmoothed);
+    if (isSmoothed && drawn) {
+        drawn = edges.draw(context, target.resolved());
+    }
+    if (isHighlighted) {
+        outline.draw(context, target.resolved(), crowd, seen.planned());
+    }
+    return drawn;
 }
 
 } // namespace crowd::render

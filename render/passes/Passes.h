@@ -5,10 +5,12 @@
 #include "render/crowd/CrowdGpu.h"
 #include "render/crowd/CrowdView.h"
 #include "render/gl/DepthCopy.h"
+#include "render/gl/PictureSum.h"
 #include "render/gl/PictureTarget.h"
 #include "render/passes/BackgroundPass.h"
 #include "render/passes/BeamPass.h"
 #include "render/passes/BlobPass.h"
+#include "render/passes/EdgePass.h"
 #include "render/passes/GhostPass.h"
 #include "render/passes/InkPass.h"
 #include "render/passes/LightShadowPass.h"
@@ -42,14 +44,17 @@ struct Passes
     InkPass ink;
     BeamPass beams;
     OverlayPass overlay;
+    PictureSum sum; ///< of pictures that ripen
+    EdgePass edges;
     OutlinePass outline;
 
     /// Builds the shaders of those that have some from the start.
     [[nodiscard]] model::Result<void> initialize();
     /// Into the target, which has begun.
     [[nodiscard]] model::Result<void> draw(PassContext context);
-    /// Whether somebody in the picture is selected or hovered.
-    [[nodiscard]] bool hasHighlighted() const { return !seen.planned().highlighted().empty(); }
+    /// From the target to a framebuffer, or to the target's own if it is null.
+    [[nodiscard]] model::Result<void> finish(const PassContext& context,
+                                             const std::uint32_t* framebuffer);
 
 private:
     void prepare(const PassContext& context);

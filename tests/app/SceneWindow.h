@@ -44,6 +44,7 @@ protected:
         m_folder = std::make_unique<QTemporaryDir>();
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder->path());
         QSettings().clear();
+        QSettings().setValue(QStringLiteral("preferences/pictureQuality"), QStringLiteral("fast"));
         openWindow();
     }
     void openWindow()

@@ -694,15 +694,18 @@ void MainWindowTest::preferencesTakeEffectAndCanBeTakenBack()
     app::Preferences wanted = app::Preferences::load();
     wanted.keyframeMegabytes = 777;
     wanted.buttons = widgets::ButtonMapping::Paper;
+    wanted.quality = widgets::PictureQuality::Best;
     Q_EMIT dialog->changed(wanted);
     QCOMPARE(m_window->state().keyframes().progress().budgetBytes, std::size_t{777} << 20U);
     QCOMPARE(m_window->state().viewOptions().buttons, widgets::ButtonMapping::Paper);
+    QCOMPARE(m_window->state().viewOptions().quality, widgets::PictureQuality::Best);
     for (auto* box : dialog->findChildren<QSpinBox*>()) {
         box->setValue(box->value() + 64); // the memory
     }
     dialog->reject();
     QCOMPARE(m_window->state().keyframes().progress().budgetBytes, before);
     QCOMPARE(m_window->state().viewOptions().buttons, widgets::ButtonMapping::Standard);
+    QCOMPARE(m_window->state().viewOptions().quality, widgets::PictureQuality::Fast); // as tests do
 }
 
 void MainWindowTest::memoryForUndoIsAPreference()

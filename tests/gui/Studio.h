@@ -24,6 +24,7 @@ public:
     explicit Studio(const model::Scene& scene = smallTheatre()) : state(document)
     {
         state.transport().setPlaying(false);
+        setQuality(widgets::PictureQuality::Fast);
         document.replaceScene(scene, {});
         edit = new QLineEdit(&window);
         view = new widgets::ViewportWidget(state, &window);
@@ -39,6 +40,12 @@ public:
     {
         return QTest::qWaitForWindowActive(&window) &&
                QTest::qWaitFor([this] { return frames->frames() > 0; });
+    }
+    void setQuality(widgets::PictureQuality quality)
+    {
+        widgets::ViewOptions options = state.viewOptions();
+        options.quality = quality;
+        state.setViewOptions(options);
     }
     /// Until nothing wants to be drawn any more.
     void settle()

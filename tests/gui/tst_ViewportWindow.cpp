@@ -50,6 +50,7 @@ class TestViewportWindow : public QObject
 private Q_SLOTS:
     void drawsTheScene();
     void drawsNothingWhileNothingChanges();
+    void aPictureAtRestRipens();
     void drawsWhilePlayingAndStops();
     void paintsAndTakesBack();
     void quickClicksAllPaint();
@@ -89,6 +90,30 @@ void TestViewportWindow::drawsNothingWhileNothingChanges()
     QCOMPARE(studio.frames->frames(), before);
     testing::addPeople(studio.document, 1);
     QTRY_VERIFY(studio.frames->frames() > before);
+}
+
+void TestViewportWindow::aPictureAtRestRipens()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    studio.settle();
+    QCOMPARE(studio.view->ripeness(), 1); // what has to be quick does not
+    studio.setQuality(PictureQuality::Automatic);
+    QTRY_COMPARE(studio.view->ripeness(), 8);
+    studio.settle();
+    QCOMPARE(studio.view->ripeness(), 8); // and that is all
+    QVERIFY(studio.view->isAtRest());
+    int before = studio.frames->frames();
+    testing::addPeople(studio.document, 1);
+    QTRY_VERIFY(studio.frames->frames() >= before + 8); // anew
+    QTRY_COMPARE(studio.view->ripeness(), 8);
+    before = studio.frames->frames();
+    studio.state.transport().setPlaying(true);
+    QTRY_VERIFY(studio.frames->frames() > before + 3);
+    QCOMPARE(studio.view->ripeness(), 1); // nothing ripens while it plays
+    studio.state.transport().setPlaying(false);
+    studio.setQuality(PictureQuality::Best);
+    QTRY_COMPARE(studio.view->ripeness(), 16);
 }
 
 void TestViewportWindow::drawsWhilePlayingAndStops()

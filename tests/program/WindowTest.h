@@ -9,7 +9,8 @@
 
 namespace crowd::tests {
 
-/// With windows, as in the program, and with settings of the test's own that begin empty.
+/// With windows, as in the program, and with settings of the test's own that begin empty, but for
+/// pictures as quick as they can be.
 template<class Test>
 int runWindowTest(int argc, char** argv)
 {
@@ -20,6 +21,7 @@ int runWindowTest(int argc, char** argv)
     QCoreApplication::setOrganizationName(QStringLiteral("CrowdbrushTests"));
     QCoreApplication::setApplicationName(QLatin1String(Test::staticMetaObject.className()));
     QSettings().clear();
+    QSettings().setValue(QStringLiteral("preferences/pictureQuality"), QStringLiteral("fast"));
     Test test;
     return QTest::qExec(&test, argc, argv);
 }

@@ -53,9 +53,6 @@ inline void addBox(model::Mesh& mesh, const glm::vec3& low, const glm::vec3& hig
     mesh.submeshes.push_back(submesh);
 }
 
-/// 1.8 m high, faces +Z: white legs (slot 0 "bottom"), a body (slot 1 "top": white, or blue as
-/// choice 1), a grey hat (slot 2, not tintable, part 0). Clip 0 stands; clip 1 moves a metre up in
-/// a second and a half; clip 2 sits with its seat plane at 0.5 m. `levels` copies of the mesh.
 /// Four corners, counter-clockwise as seen from where it faces; of one white material.
 inline std::shared_ptr<model::StageAsset> makeSheet(const std::array<glm::vec3, 4>& corners)
 {
@@ -74,6 +71,9 @@ inline std::shared_ptr<model::StageAsset> makeSheet(const std::array<glm::vec3, 
     return stage;
 }
 
+/// 1.8 m high, faces +Z: white legs (slot 0 "bottom"), a body (slot 1 "top": white, or blue as
+/// choice 1), a grey hat (slot 2, not tintable, part 0). Clip 0 stands; clip 1 moves a metre up in
+/// a second and a half; clip 2 sits with its seat plane at 0.5 m. `levels` copies of the mesh.
 inline std::shared_ptr<model::Template> makeBoxMan(int levels = 1)
 {
     auto asset = std::make_shared<model::Template>();

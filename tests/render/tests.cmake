@@ -9,4 +9,5 @@ crowd_add_tests(ROOM render LINK crowd_render nlohmann_json::nlohmann_json TESTS
     tst_PaintedLooks
     tst_Renderer
     tst_Shadows
+    tst_SmoothEdges
 )

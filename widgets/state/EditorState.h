@@ -38,6 +38,13 @@ enum class ButtonMapping : std::uint8_t {
 class ScriptPainter;
 
 /// How the picture is drawn and handled, apart from the scene itself. Saved with the preferences.
+/// What a picture may cost.
+enum class PictureQuality : std::uint8_t {
+    Automatic, ///< as smooth as it can be without lagging behind, and perfect at rest
+    Fast,      ///< always as quick as it can be
+    Best       ///< always smooth
+};
+
 struct ViewOptions
 {
     bool showSeats = true; ///< free seats as discs while the creation brush snaps to them
@@ -50,6 +57,7 @@ struct ViewOptions
     bool selectsByLasso = false; ///< the select tool; else by a rectangle
     render::Look look = render::Look::Lit;
     ButtonMapping buttons = ButtonMapping::Standard;
+    PictureQuality quality = PictureQuality::Automatic;
     friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
 };
 

@@ -31,6 +31,9 @@ constexpr double kQuickMs = 10.0;
 constexpr glm::vec3 kWashColor{0.10F, 0.75F, 1.0F};
 constexpr int kViewStillMs = 100; // without a change, the view counts as still
 constexpr int kHandStillMs = 150; // the same for the brush
+constexpr int kRipenMs = 120;     // of rest, before one picture becomes several
+constexpr int kRipe = 8;          // pictures that become one
+constexpr int kRipeAtBest = 16;
 
 QSurfaceFormat surfaceFormat()
 {
@@ -71,8 +74,21 @@ ViewportWidget::~ViewportWidget()
 
 void ViewportWidget::redraw()
 {
-    update();
+    renew();
     refreshClock();
+}
+
+void ViewportWidget::renew()
+{
+    m_isRipening = false;
+    m_ripens.stop();
+    update();
+}
+
+void ViewportWidget::ripen()
+{
+    m_isRipening = true;
+    update();
 }
 
 void ViewportWidget::redrawPaths()
@@ -126,7 +142,7 @@ void ViewportWidget::connectSession()
             &ViewportWidget::refreshText);
     connect(&m_state.session(), &SessionControl::stepped, this, [this] {
         if (!m_clock.isRunning()) {
-            update(); // a single step
+            renew(); // a single step
         }
     });
 }
@@ -139,9 +155,11 @@ void ViewportWidget::connectView()
     m_handRests.setSingleShot(true);
     m_handRests.setInterval(kHandStillMs);
     connect(&m_handRests, &QTimer::timeout, this, [this] { m_overlay->setBrushCarried(false); });
+    m_ripens.setSingleShot(true);
+    connect(&m_ripens, &QTimer::timeout, this, &ViewportWidget::ripen);
     m_viewMotion.setSingleShot(true);
     m_viewMotion.setInterval(kViewStillMs);
-    connect(&m_viewMotion, &QTimer::timeout, this, qOverload<>(&ViewportWidget::update));
+    connect(&m_viewMotion, &QTimer::timeout, this, &ViewportWidget::renew);
     connect(&m_state, &EditorState::viewCameraChanged, this, [this] {
         m_viewMotion.start();
         redraw();
@@ -225,9 +243,7 @@ render::RenderInput ViewportWidget::renderInput()
     input.lights = m_state.scene().lights;
     input.lighting.showGroundGrid &= options.showGroundGrid;
     input.look = options.look;
-    input.samples = m_isCoarse ? 0 : input.samples;
-    // The hysteresis hides flicker in motion; a picture at rest is the same whatever led to it.
-    input.levels.hysteresis = isMoving() ? input.levels.hysteresis : 0.0F;
+    setQuality(input);
     input.showShadows = options.showShadows;
     input.selected = m_state.selection().ids();
     if (!m_state.washed().empty()) {
@@ -266,6 +282,8 @@ void ViewportWidget::paintGL()
         return;
     }
     m_sinceDraw.start();
+    m_ripeness = m_isRipening && !isMoving() ? m_ripeness + 1 : 0;
+    m_isRipening = false;
     chooseQuality();
     const render::RenderInput input = renderInput();
     const model::Result<void> result = m_renderer->draw(input, defaultFramebufferObject());
@@ -282,12 +300,36 @@ void ViewportWidget::paintGL()
 
 void ViewportWidget::chooseQuality()
 {
-    if (!isMoving()) {
-        m_isCoarse = false;
-        return;
-    }
+    const PictureQuality quality = m_state.viewOptions().quality;
     const double frameMs = m_frameTimes.median();
-    m_isCoarse = m_isCoarse ? frameMs > kQuickMs : frameMs > kSlowMs;
+    if (quality != PictureQuality::Automatic) {
+        m_isCoarse = quality == PictureQuality::Fast;
+    } else if (isMoving()) {
+        m_isCoarse = m_isCoarse ? frameMs > kQuickMs : frameMs > kSlowMs;
+    } else {
+        // The first at rest is the same whatever led to it; those that follow want to be quick.
+        m_isCoarse = m_ripeness > 0 && frameMs > kSlowMs;
+    }
+}
+
+/// So many pictures of the same become one.
+int ViewportWidget::picturesToRipen() const
+{
+    const PictureQuality quality = m_state.viewOptions().quality;
+    return quality == PictureQuality::Fast   ? 1
+           : quality == PictureQuality::Best ? kRipeAtBest
+                                             : kRipe;
+}
+
+void ViewportWidget::setQuality(render::RenderInput& input) const
+{
+    input.samples = m_isCoarse ? 0 : input.samples;
+    input.smoothsEdges = true;
+    // The hysteresis hides flicker in motion; a picture at rest is the same whatever led to it.
+    input.levels.hysteresis = isMoving() ? input.levels.hysteresis : 0.0F;
+    if (!isMoving() && picturesToRipen() > 1) {
+        input.ripeness = m_ripeness;
+    }
 }
 
 void ViewportWidget::finishFrame()
@@ -299,6 +341,12 @@ void ViewportWidget::finishFrame()
     std::vector<TagLabel> legend = m_marks.legend();
     legend.insert(legend.end(), m_arcs.legend().begin(), m_arcs.legend().end());
     m_overlay->setLegend(legend);
+    if (!isMoving() && m_ripeness + 1 < picturesToRipen()) {
+        m_ripens.start(m_ripeness == 0 ? kRipenMs : 0);
+    }
+    if (m_ripeness > 0) {
+        return; // it says nothing of how quick pictures are
+    }
     const double frameMs = static_cast<double>(m_sinceDraw.nsecsElapsed()) * 1e-6;
     m_clock.noteFrameTime(frameMs);
     m_frameTimes.add(frameMs);
@@ -328,7 +376,7 @@ void ViewportWidget::beat(double elapsedSeconds)
     m_state.advance(elapsedSeconds);
     m_tools.tick(m_input.resting(), elapsedSeconds);
     if (isAnimating) {
-        update();
+        renew();
     }
     refreshClock();
 }
@@ -340,7 +388,7 @@ void ViewportWidget::refreshClock()
     if (wasRunning && !m_clock.isRunning()) {
         publishStatistics(true);
         if (!m_isShownFinal) {
-            update(); // once more, smooth and without hysteresis
+            renew(); // once more, smooth and without hysteresis
         }
     }
 }
@@ -443,7 +491,7 @@ void ViewportWidget::pressWorkButton()
         return;
     }
     m_state.keyframes().setPaused(!m_state.keyframes().progress().isPaused);
-    update(); // what is drawn is asked for again
+    renew(); // what is drawn is asked for again
     refreshText();
 }
 
@@ -472,7 +520,7 @@ void ViewportWidget::renewTexts()
     m_tools.renewTexts();
     refreshPlaces();
     refreshText();
-    update();
+    renew();
 }
 
 void ViewportWidget::resizeEvent(QResizeEvent* event)

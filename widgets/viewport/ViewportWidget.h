@@ -50,6 +50,8 @@ public:
     /// Nothing moves, and what is shown depends on the scene and the view alone: no savings made
     /// to keep up with a motion, no detail levels left over from the way here.
     [[nodiscard]] bool isAtRest() const { return m_isShownFinal && !isMoving(); }
+    /// So many pictures of the same the one that is shown is the mean of.
+    [[nodiscard]] int ripeness() const { return m_ripeness + 1; }
     /// Why there is no picture; empty when all is well.
     [[nodiscard]] const QString& problem() const { return m_problem; }
 
@@ -74,6 +76,8 @@ private:
     void connectView();
     void connectOwn();
     void redraw();
+    void renew(); ///< what is shown has changed: the picture begins anew
+    void ripen();
     void redrawPaths();
     void releaseContext();
     void beat(double elapsedSeconds);
@@ -88,6 +92,8 @@ private:
     [[nodiscard]] WorkStatus workStatus();
     void publishStatistics(bool isAtRest);
     void chooseQuality();
+    void setQuality(render::RenderInput& input) const;
+    [[nodiscard]] int picturesToRipen() const;
     void refreshPlaces();
     [[nodiscard]] bool isMoving() const { return m_clock.isRunning() || m_viewMotion.isActive(); }
     void setProblem(const model::Message& said);
@@ -113,6 +119,9 @@ private:
     QTimer m_viewMotion;         ///< runs from a change of the view until it counts as still
     bool m_isShownFinal = false; ///< the last picture was drawn while nothing moved
     bool m_isCoarse = false;     ///< without smoothing, to keep up with the hand
+    QTimer m_ripens;             ///< runs until the next picture of those that become one
+    int m_ripeness = 0;          ///< of the last picture: how many of the same were before it
+    bool m_isRipening = false;   ///< the next picture is one more of the same
     bool m_isSceneNew = false;   ///< replaced since the last picture
     int m_bakedBefore = 0;       ///< clips finished when the present baking began
     model::Message m_said;       ///< what m_problem says, in any language
