@@ -2933,10 +2933,6 @@
         <translation>Abnehmen</translation>
     </message>
     <message>
-        <source>They bear none of it any more; what it has done to them stays</source>
-        <translation>Sie tragen nichts mehr davon; was es aus ihnen gemacht hat, bleibt</translation>
-    </message>
-    <message>
         <source>Values (none: all of them)</source>
         <translation>Werte (keiner: alle)</translation>
     </message>
@@ -3463,6 +3459,10 @@
     <message>
         <source>People and stages stand in its light. The four strongest lights that are to cast shadows do.</source>
         <translation>Figuren und Bühnen stehen in seinem Licht. Von den Lichtern, die Schatten werfen sollen, tun es die vier stärksten.</translation>
+    </message>
+    <message>
+        <source>They bear none of it any more: what it did to them is as their template has it</source>
+        <translation>Sie tragen nichts davon mehr: Was es an ihnen bewirkt hat, ist wieder wie in ihrer Vorlage</translation>
     </message>
 </context>
 <context>
@@ -10628,6 +10628,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>They are like that now.</source>
         <translation>So sind sie jetzt.</translation>
+    </message>
+    <message>
+        <source>Of %1 out of %2 characters. %3</source>
+        <translation>Von %1 der %2 Figuren. %3</translation>
     </message>
 </context>
 <context>

@@ -2933,10 +2933,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>They bear none of it any more; what it has done to them stays</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Values (none: all of them)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3462,6 +3458,10 @@
     </message>
     <message>
         <source>People and stages stand in its light. The four strongest lights that are to cast shadows do.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They bear none of it any more: what it did to them is as their template has it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10620,6 +10620,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>They are like that now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of %1 out of %2 characters. %3</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -928,7 +928,7 @@ class FeatureSettings:
         ...
     @property
     def takes_off(self) -> bool:
-        """They bear no value of the kind any more; what it has done to them stays."""
+        """They bear no value of the kind any more; what it did to them is as their template has it."""
     @takes_off.setter
     def takes_off(self, value: bool) -> None:
         ...
@@ -1212,7 +1212,7 @@ class Brush:
         ...
     @property
     def takes_off(self) -> bool:
-        """They bear no value of the kind any more; what it has done to them stays."""
+        """They bear no value of the kind any more; what it did to them is as their template has it."""
     @takes_off.setter
     def takes_off(self, value: bool) -> None:
         ...

@@ -11,6 +11,7 @@
 
 #include "model/base/Random.h"
 #include "model/base/WeightedDraw.h"
+#include "model/brush/ClipChoice.h"
 #include "model/features/FeatureLook.h"
 
 namespace crowd::model {
@@ -78,7 +79,7 @@ class Wearing
 {
 public:
     Wearing(const Scene& scene, const FeatureKind& kind)
-        : m_scene(scene), m_templates(scene.population.column(columns::templateId)),
+        : m_scene(scene), m_kind(kind), m_templates(scene.population.column(columns::templateId)),
           m_seats(scene.population.column(columns::seat)),
           m_borne(scene.population, columns::feature(kind.id)),
           m_clip(scene.population, columns::clip), m_phase(scene.population, columns::phase),
@@ -97,7 +98,7 @@ public:
     void wear(IndividualId id, std::size_t row, const FeatureValue* value, std::uint64_t seed)
     {
         if (value == nullptr) {
-            m_borne.set(id, row, 0);
+            takeOff(id, row);
         } else if (const FeatureLook* look = lookOf(*value, m_templates[row])) {
             m_borne.set(id, row, value->id);
             const Draws draws(hashKeys(seed, id, value->id));
@@ -142,6 +143,68 @@ private:
         }
         m_last = look->isMeant ? &*look : nullptr;
         return m_last;
+    }
+
+    /// What the value has done to somebody is as his template has it again.
+    void takeOff(IndividualId id, std::size_t row)
+    {
+        const auto worn = std::ranges::find(m_kind.values, m_borne.now(row), &FeatureValue::id);
+        m_borne.set(id, row, 0);
+        const FeatureLook* look =
+            worn != m_kind.values.end() ? lookOf(*worn, m_templates[row]) : nullptr;
+        const TemplateEntry* entry = m_scene.findTemplate(m_templates[row]);
+        if (look != nullptr && entry != nullptr && entry->asset) {
+            rest(id, row, *look, *entry);
+            undress(id, row, *look, *entry->asset);
+        }
+    }
+
+    template<class T>
+    void reset(Writing<T>& writing, IndividualId id, std::size_t row, ColumnKey<T> key)
+    {
+        writing.set(id, row, m_usual.column(key)[0]);
+    }
+
+    void rest(IndividualId id, std::size_t row, const FeatureLook& look, const TemplateEntry& entry)
+    {
+        const bool isSeated = m_seats[row] != kNoSeat;
+        if (!(isSeated ? look.seated : look.standing).empty()) {
+            m_clip.set(id, row, usualClip(entry, isSeated));
+        }
+        if (!look.walking.empty()) {
+            reset(m_style, id, row, columns::walkStyle);
+        }
+        if (look.value.setsSpeed) {
+            reset(m_speed, id, row, columns::playbackSpeed);
+        }
+        if (look.value.setsWalkSpeed) {
+            reset(m_walkSpeed, id, row, columns::walkSpeed);
+        }
+        if (look.value.setsHeight) {
+            reset(m_height, id, row, columns::height);
+        }
+        if (look.value.setsGirth) {
+            reset(m_girth, id, row, columns::girth);
+        }
+    }
+
+    void undress(IndividualId id, std::size_t row, const FeatureLook& look, const Template& asset)
+    {
+        std::uint16_t modes = m_modes.now(row);
+        MaterialChoices choices = m_choices.now(row);
+        for (std::size_t slot = 0; slot < look.slots.size(); ++slot) {
+            if (!look.slots[slot].materials.empty()) {
+                choices[slot] = 0;
+            }
+            if (look.slots[slot].colors != nullptr) {
+                modes = static_cast<std::uint16_t>(modes & ~(1U << slot));
+                reset(m_tints[slot], id, row, columns::tint(static_cast<int>(slot)));
+            }
+        }
+        m_modes.set(id, row, modes);
+        m_choices.set(id, row, choices);
+        const std::uint32_t touched = look.shownParts | look.hiddenParts;
+        m_parts.set(id, row, (m_parts.now(row) & ~touched) | (defaultParts(asset) & touched));
     }
 
     void move(IndividualId id, std::size_t row, const FeatureLook& look, const Draws& draws)
@@ -201,6 +264,8 @@ private:
     }
 
     const Scene& m_scene;
+    const FeatureKind& m_kind;
+    const IndividualRows m_usual = IndividualRows::withDefaults({1}); ///< somebody new
     std::span<const TemplateId> m_templates;
     std::span<const SeatId> m_seats;
     Writing<FeatureId> m_borne;
@@ -322,6 +387,8 @@ void changeFeatures(SceneEdit& edit, FeatureKinds kinds, bool isWorn)
     const FeatureKinds& now = edit.scene().features;
     for (const FeatureKind& kind : before) {
         const FeatureKind* after = findKind(now, kind.id);
+        FeatureKind bare; // where nobody knows any more what its values did
+        bare.id = kind.id;
         for (const FeatureValue& value : kind.values) {
             const auto same = after != nullptr
                                   ? std::ranges::find(after->values, value.id, &FeatureValue::id)
@@ -333,7 +400,7 @@ void changeFeatures(SceneEdit& edit, FeatureKinds kinds, bool isWorn)
             const auto bearers =
                 peopleWith(edit.scene().population, columns::feature(kind.id), value.id);
             const std::vector<FeatureId> wanted(bearers.size(), isGone ? FeatureId{0} : value.id);
-            (void)setFeature(edit, after != nullptr ? *after : kind, bearers, wanted,
+            (void)setFeature(edit, after != nullptr ? *after : bare, bearers, wanted,
                              edit.scene().seed);
         }
     }

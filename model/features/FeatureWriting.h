@@ -21,7 +21,8 @@ struct ChangedColumn
 };
 
 /// What changes when each of them comes to bear the value of a kind that is wanted of him, one
-/// each; 0, or one that the kind has not: none, and nothing else changes of him. Draws depend on
+/// each; 0, or one that the kind has not: none, and what the one he bore has done to him becomes as
+/// his template has it. Draws depend on
 /// seed, individual and value alone.
 [[nodiscard]] std::vector<ChangedColumn> featureChanges(const Scene& scene, const FeatureKind& kind,
                                                         std::span<const IndividualId> ids,
@@ -52,7 +53,8 @@ struct WeightedFeature
 [[nodiscard]] std::uint8_t freeKindId(const Scene& scene);
 
 /// Puts these kinds in place of those that there are. Who bears a value that is gone bears none of
-/// its kind. `isWorn`: whoever bears a value that does something else than before changes with it.
+/// its kind, and looks as before. `isWorn`: whoever bears a value that does something else than
+/// before changes with it.
 void changeFeatures(SceneEdit& edit, FeatureKinds kinds, bool isWorn);
 
 } // namespace crowd::model

@@ -142,6 +142,8 @@ private Q_SLOTS:
     void undoTakesItBack();
     void theBrushPaintsOneAnyOrARow();
     void theBrushTakesItOffAndTakesItUp();
+    void clothesComeOffAsTheyCameOn();
+    void ticksOfAnotherKindDoNotCount();
     void theBrushSaysWhatIsMissing();
     void masksAskForThem();
     void bearersChangeWithTheirValueWhereAsked();
@@ -351,6 +353,7 @@ void tst_Features::theBrushPaintsOneAnyOrARow()
 void tst_Features::theBrushTakesItOffAndTakesItUp()
 {
     FeatureScene scene;
+    const std::string usual = scene.clipOf(scene.ids[0]);
     scene.set("emotion", "excited", scene.ids);
     BrushSettings settings = featureBrush("emotion", {}, BrushOperator::Random);
     const TakenFrom from{scene.document.scene(), *scene.document.scene().findTemplate(1),
@@ -358,12 +361,54 @@ void tst_Features::theBrushTakesItOffAndTakesItUp()
     QCOMPARE(FeatureSettings::take(settings, from), std::string("excited"));
     QCOMPARE(settings.as<FeatureSettings>().values.size(), std::size_t{1});
     settings.as<FeatureSettings>().takesOff = true;
-    const std::string clip = scene.clipOf(scene.ids[0]);
+    QVERIFY(scene.clipOf(scene.ids[0]) != usual);
     QVERIFY(scene.paintAll(settings).isCommitted);
     QVERIFY(bearersOf(scene.document.scene(), scene.idOf("emotion", "excited")).empty());
-    QCOMPARE(scene.clipOf(scene.ids[0]), clip);
+    QCOMPARE(scene.clipOf(scene.ids[0]), usual);
     QCOMPARE(FeatureSettings::take(settings, from), std::string());
     QCOMPARE(scene.paintAll(settings).reason, StrokeReason::Unchanged);
+}
+
+void tst_Features::clothesComeOffAsTheyCameOn()
+{
+    FeatureScene scene;
+    const IndividualId id = scene.ids[2];
+    const Population before = scene.document.scene().population;
+    FeatureKinds kinds = scene.kinds();
+    for (FeatureValue& value : kinds[1].values) {
+        value.setsHeight = true;
+        value.height = {1.4F, 1.4F};
+    }
+    scene.change(kinds, false);
+    scene.set("outfit", "team red", scene.ids);
+    const auto tinted = [&scene, id] {
+        for (int slot = 0; slot < kMaxTintSlots; ++slot) {
+            if (scene.valueOf(columns::tint(slot), id).strength != 0) {
+                return true;
+            }
+        }
+        return false;
+    };
+    QVERIFY(tinted());
+    QCOMPARE(scene.valueOf(columns::height, id), 1.4F);
+    BrushSettings settings(BrushKind::Outfit);
+    settings.as<OutfitSettings>().takesOff = true;
+    QVERIFY(scene.paintAll(settings).isCommitted);
+    QVERIFY(!tinted());
+    QCOMPARE(scene.valueOf(columns::height, id), 1.0F);
+    QVERIFY(scene.valueOf(columns::tintReplaces, id) ==
+            before.column(columns::tintReplaces)[before.rowOf(id)]);
+    QVERIFY(scene.valueOf(columns::parts, id) == before.column(columns::parts)[before.rowOf(id)]);
+}
+
+void tst_Features::ticksOfAnotherKindDoNotCount()
+{
+    FeatureScene scene;
+    const BrushSettings settings =
+        featureBrush("emotion", {{"team red"}, {"team blue"}}, BrushOperator::Random);
+    QVERIFY(scene.paintAll(settings).isCommitted);
+    QVERIFY(scene.valueOf(columns::feature(1), scene.ids[0]) != 0);
+    QCOMPARE(scene.valueOf(columns::feature(2), scene.ids[0]), FeatureId{0});
 }
 
 void tst_Features::theBrushSaysWhatIsMissing()

@@ -20,6 +20,7 @@ private Q_SLOTS:
     void theTemplateBrushBeginsWithThoseTicked();
     void theAnimationBrushBeginsWithClipsThatFit();
     void thePartsBrushTakesOffWhatEverybodyWears();
+    void theOutfitBrushPaintsWhatTheSceneHas();
     void theGroupBrushMakesAGroup();
     void theCloneBrushAsksWhomToClone();
     void theScriptBrushSaysWhatIsMissing();
@@ -62,6 +63,20 @@ void TestBrushStart::thePartsBrushTakesOffWhatEverybodyWears()
     testing::addPeople(hand.document, 3); // they wear all that they have
     hand.state.setTool(ToolId::BrushParts);
     QVERIFY(!hand.state.brush(BrushKind::Parts).as<model::PartsSettings>().isShown);
+}
+
+/// What was painted in another scene is not there.
+void TestBrushStart::theOutfitBrushPaintsWhatTheSceneHas()
+{
+    Hand hand;
+    model::BrushSettings brush = hand.state.brush(BrushKind::Outfit);
+    brush.as<model::OutfitSettings>().kind = "team";
+    brush.as<model::OutfitSettings>().values = {{"lions", 1.0F}};
+    hand.state.setBrush(brush);
+    hand.state.setTool(ToolId::BrushOutfit);
+    const auto& outfit = hand.state.brush(BrushKind::Outfit).as<model::OutfitSettings>();
+    QCOMPARE(outfit.kind, std::string("outfit"));
+    QVERIFY(outfit.values.empty());
 }
 
 /// One step for the group and one for those who come into it.

@@ -118,6 +118,21 @@ void chooseRestored(const EditorState& state, model::RestoreSettings& settings)
     settings.state = isThere(state.chosenState()) ? state.chosenState() : states.front().id;
 }
 
+/// A kind that came with another scene is not there: the usual one takes its place.
+void chooseFeatureKind(const model::Scene& scene, model::FeatureSettings& settings, BrushKind kind)
+{
+    if (scene.features.empty() || findKind(scene.features, settings.kind) != nullptr) {
+        return;
+    }
+    const BrushSettings usual(kind);
+    const auto* outfit = usual.find<model::OutfitSettings>();
+    const std::string& name =
+        outfit != nullptr ? outfit->kind : usual.as<model::FeatureSettings>().kind;
+    const model::FeatureKind* own = findKind(scene.features, name);
+    settings.kind = own != nullptr ? own->name : scene.features.front().name;
+    settings.values.clear();
+}
+
 } // namespace
 
 bool startBrush(EditorState& state, BrushKind kind)
@@ -140,6 +155,10 @@ bool startBrush(EditorState& state, BrushKind kind)
         }
     } else if (auto* restore = brush.find<model::RestoreSettings>()) {
         chooseRestored(state, *restore);
+    } else if (auto* outfit = brush.find<model::OutfitSettings>()) {
+        chooseFeatureKind(state.scene(), *outfit, kind);
+    } else if (auto* feature = brush.find<model::FeatureSettings>()) {
+        chooseFeatureKind(state.scene(), *feature, kind);
     } else if (const auto* script = brush.find<model::ScriptSettings>()) {
         if (script->brush.empty() && !state.scriptBrushes().empty()) {
             const BrushSettings first = state.scriptBrushes().front().settings;

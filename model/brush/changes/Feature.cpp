@@ -17,10 +17,23 @@ struct Offer
     float weight = 1.0F;
 };
 
+/// Ticks that were set for another kind say nothing of this one.
+bool areOfOthers(const FeatureKinds& kinds, const std::vector<ClipWeight>& values)
+{
+    return std::ranges::all_of(values, [&kinds](const ClipWeight& each) {
+        return std::ranges::any_of(
+            kinds, [&each](const FeatureKind& kind) { return kind.find(each.clip) != nullptr; });
+    });
+}
+
 /// The values that are meant, in their order.
-std::vector<Offer> offersOf(const FeatureKind& kind, const FeatureSettings& settings)
+std::vector<Offer> offersOf(const FeatureKinds& kinds, const FeatureKind& kind,
+                            const FeatureSettings& settings)
 {
     std::vector<Offer> offers;
+    const bool isAnyNamed = std::ranges::any_of(settings.values, [&kind](const ClipWeight& each) {
+        return kind.find(each.clip) != nullptr;
+    });
     for (const ClipWeight& each : settings.values) {
         const FeatureValue* value = kind.find(each.clip);
         if (value != nullptr && each.weight > 0.0F) {
@@ -28,7 +41,7 @@ std::vector<Offer> offersOf(const FeatureKind& kind, const FeatureSettings& sett
         }
     }
     for (const FeatureValue& value : kind.values) {
-        if (settings.values.empty()) {
+        if (!isAnyNamed && areOfOthers(kinds, settings.values)) {
             offers.push_back({value.id, 1.0F});
         }
     }
@@ -84,7 +97,7 @@ ChangeResult FeatureSettings::change(const ChangeRequest& request)
     if (kind == nullptr) {
         return result;
     }
-    const std::vector<Offer> offers = offersOf(*kind, settings);
+    const std::vector<Offer> offers = offersOf(request.edit.scene().features, *kind, settings);
     if (offers.empty() && !settings.takesOff) {
         return result;
     }

@@ -21,7 +21,7 @@ struct FeatureSettings
     /// Names of values. Uniform takes the first, Random any by weight, Gradient runs from first to
     /// last. Empty: all of the kind.
     std::vector<ClipWeight> values;
-    bool takesOff = false; ///< of the kind they bear none any more; what it has done to them stays
+    bool takesOff = false; ///< of the kind they bear none any more; what it did is undone
 
     static const BrushInfo kInfo;
     static constexpr auto fields();
@@ -92,9 +92,10 @@ constexpr auto FeatureSettings::fields()
         field(&S::takesOff,
               {.key = "takes_off",
                .label = QT_TRANSLATE_NOOP("Fields", "Take it off"),
-               .tip = QT_TRANSLATE_NOOP("Fields", "They bear none of it any more; what it has done "
-                                                  "to them stays"),
-               .doc = "They bear no value of the kind any more; what it has done to them stays."}),
+               .tip = QT_TRANSLATE_NOOP("Fields", "They bear none of it any more: what it did to "
+                                                  "them is as their template has it"),
+               .doc = "They bear no value of the kind any more; what it did to them is as their "
+                      "template has it."}),
         field(&S::values, {.key = "values",
                            .label = QT_TRANSLATE_NOOP("Fields", "Values"),
                            .doc = "Name → weight; empty: all of the kind.",
