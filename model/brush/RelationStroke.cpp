@@ -147,7 +147,7 @@ void RelationStroke::add(SceneEdit& edit, const Population& people,
         return;
     }
     m_kind = kind->id;
-    if (!m_isArea && m_settings.how == RelationHow::FromTo && !m_settings.erases) {
+    if (isFromTo()) {
         meet(ids);
     }
     if (ids.empty()) {
@@ -157,7 +157,9 @@ void RelationStroke::add(SceneEdit& edit, const Population& people,
     std::ranges::set_difference(ids, m_met, std::back_inserter(fresh));
     addSorted(m_met, fresh);
     if (m_settings.erases) {
-        erase(edit, fresh);
+        if (!isFromTo()) {
+            erase(edit, fresh);
+        }
     } else if (m_settings.how != RelationHow::FromTo) {
         addNew(edit, people, fresh);
     } else if (m_isArea) {
@@ -178,12 +180,42 @@ void RelationStroke::meet(std::span<const IndividualId> ids)
     m_reason = m_from.empty() ? StrokeReason::NobodyUnderBrush : StrokeReason::NobodyElse;
 }
 
+bool RelationStroke::isFromTo() const
+{
+    return !m_isArea && m_settings.how == RelationHow::FromTo;
+}
+
+/// Where it ends at somebody else, what is between the two; else all of those where it began.
+void RelationStroke::eraseBetween(SceneEdit& edit)
+{
+    std::vector<Relation> gone = relationsOf(edit.scene(), m_from, m_kind);
+    std::vector<IndividualId> others;
+    std::ranges::set_difference(m_to, m_from, std::back_inserter(others));
+    const auto isBetween = [&](const Relation& each) {
+        const auto joins = [&](IndividualId from, IndividualId to) {
+            return std::ranges::binary_search(m_from, from) && std::ranges::binary_search(m_to, to);
+        };
+        return joins(each.from, each.to) || joins(each.to, each.from);
+    };
+    if (!others.empty()) {
+        std::erase_if(gone, [&](const Relation& each) { return !isBetween(each); });
+    }
+    unrelate(edit, gone);
+}
+
 void RelationStroke::settle(SceneEdit& edit)
 {
-    if (m_settings.how != RelationHow::FromTo || m_settings.erases || m_from.empty()) {
+    const bool isErasing = m_settings.erases && isFromTo();
+    if (m_settings.how != RelationHow::FromTo || m_from.empty() ||
+        (m_settings.erases && !isErasing)) {
         return;
     }
     edit.rollback();
+    if (isErasing) {
+        m_changed.clear();
+        eraseBetween(edit);
+        return;
+    }
     m_changed.clear();
     if (m_from.size() * m_to.size() > kMostAtOnce) {
         m_reason = StrokeReason::TooManyAtOnce;
@@ -333,8 +365,12 @@ void RelationStroke::together(std::span<const IndividualId> ids, std::vector<Rel
 
 void RelationStroke::erase(SceneEdit& edit, std::span<const IndividualId> ids)
 {
+    unrelate(edit, relationsOf(edit.scene(), ids, m_kind));
+}
+
+void RelationStroke::unrelate(SceneEdit& edit, const std::vector<Relation>& gone)
+{
     m_reason = m_changed.empty() ? StrokeReason::NothingToErase : m_reason;
-    const std::vector<Relation> gone = relationsOf(edit.scene(), ids, m_kind);
     std::vector<IndividualId> freed;
     for (const Relation& each : gone) {
         freed.insert(freed.end(), {each.from, each.to});

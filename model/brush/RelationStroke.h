@@ -42,7 +42,10 @@ private:
     void relateNear(const Scene& scene, const Population& people, std::span<const IndividualId> ids,
                     std::vector<Relation>& made) const;
     void together(std::span<const IndividualId> ids, std::vector<Relation>& made);
+    [[nodiscard]] bool isFromTo() const; ///< from where a drag begins to where it ends
     void erase(SceneEdit& edit, std::span<const IndividualId> ids);
+    void eraseBetween(SceneEdit& edit);
+    void unrelate(SceneEdit& edit, const std::vector<Relation>& gone);
     void commit(SceneEdit& edit, std::vector<Relation> made);
     [[nodiscard]] Relation relation(IndividualId from, IndividualId to) const;
 

@@ -325,6 +325,31 @@ private Q_SLOTS:
                  StrokeReason::NoSuchRelation);
     }
 
+    void aDragErasesWhatIsBetweenTheTwo()
+    {
+        RelationScene scene;
+        const auto& ids = scene.ids;
+        BrushSettings brush = relationBrush(RelationHow::FromTo);
+        const auto drag = [&](std::size_t from, std::size_t to) {
+            return scene.paint(
+                fromAbove(), brush,
+                {scene.pixelOf(ids[from]), scene.pixelOf(ids[12]), scene.pixelOf(ids[to])});
+        };
+        QVERIFY(drag(0, 25).isCommitted);
+        QVERIFY(drag(25, 3).isCommitted);
+        QVERIFY(drag(0, 7).isCommitted);
+        brush.as<RelationSettings>().erases = true;
+        QCOMPARE(drag(3, 0).reason, StrokeReason::NothingToErase); // nothing between these
+        QVERIFY(drag(25, 0).isCommitted);                          // either way round
+        QVERIFY(scene.table().find(ids[0], ids[25], kFriends) == nullptr);
+        QCOMPARE(scene.table().all().size(), std::size_t{2});
+        scene.document.undoStack().undo();
+        QCOMPARE(scene.table().all().size(), std::size_t{3});
+        // A click: all of somebody.
+        QVERIFY(scene.paint(fromAbove(), brush, {scene.pixelOf(ids[25])}).isCommitted);
+        QCOMPARE(scene.table().all().size(), std::size_t{1});
+    }
+
     void aDragFromOrToNobodyRelatesNobody()
     {
         RelationScene scene;
