@@ -6,8 +6,10 @@
 #include <QtGui/QImage>
 #include <QtTest/QTest>
 #include <QtWidgets/QAbstractButton>
+#include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QToolButton>
 
@@ -111,6 +113,8 @@ private Q_SLOTS:
     void coloursOfAnOutfitAreSeenAndSet();
     void addsDuplicatesRenamesAndRemoves();
     void aKindOfOnesOwn();
+    void showsWhatTheBrushPaints();
+    void aWordTakenByMouseLeavesTheKeysToTheBrushes();
     void whatIsSetComesToTheSceneAtRest();
     void bearersChangeWhereTicked();
     void listsGrowAndShrink();
@@ -237,6 +241,39 @@ void TestFeaturesDock::aKindOfOnesOwn()
     QVERIFY2(desk.said.contains(QStringLiteral("at most 8")), qPrintable(desk.said));
     removeKind(desk.state, kind);
     QTRY_COMPARE(desk.kinds()->count(), 7);
+}
+
+void TestFeaturesDock::showsWhatTheBrushPaints()
+{
+    FeaturesDesk desk;
+    QVERIFY(desk.isReady());
+    desk.state.setTool(ToolId::BrushOutfit);
+    QCOMPARE(desk.kinds()->currentIndex(), 1);
+    desk.state.setTool(ToolId::BrushColour);
+    QCOMPARE(desk.kinds()->currentIndex(), 1);
+    desk.state.setTool(ToolId::BrushFeature);
+    QCOMPARE(desk.kinds()->currentIndex(), 0);
+}
+
+void TestFeaturesDock::aWordTakenByMouseLeavesTheKeysToTheBrushes()
+{
+    FeaturesDesk desk;
+    QVERIFY(desk.isReady());
+    desk.choose("sad");
+    auto* clip = desk.form()->findChild<QComboBox*>(); // the first clip's
+    QVERIFY(clip != nullptr && clip->isEditable());
+    clip->addItem(QStringLiteral("kneel"));
+    clip->lineEdit()->setFocus();
+    QTRY_VERIFY(clip->lineEdit()->hasFocus());
+    clip->showPopup();
+    QTRY_VERIFY(clip->view()->isVisible());
+    const QRect last =
+        clip->view()->visualRect(clip->model()->index(clip->count() - 1, clip->modelColumn()));
+    QTest::mouseMove(clip->view()->viewport(), last.center());
+    QTest::mouseClick(clip->view()->viewport(), Qt::LeftButton, {}, last.center());
+    QTRY_VERIFY(!clip->view()->isVisible());
+    QTRY_COMPARE(desk.value("sad").clips.front().clip, std::string("kneel"));
+    QVERIFY(!clip->lineEdit()->hasFocus());
 }
 
 void TestFeaturesDock::whatIsSetComesToTheSceneAtRest()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <QtTest/QTest>
+#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QToolButton>
 
 #include "model/document/SceneEdit.h"
@@ -83,6 +84,7 @@ void GroupsDockTest::aNewGroupTakesTheSelectedAndBecomesActive()
     desk.state.selection().set(std::span(ids).first(3));
     const int steps = desk.document.undoStack().count();
     press(desk, "newGroup");
+    QVERIFY(treeOf(desk).viewport()->findChild<QLineEdit*>() != nullptr); // to be named
     QCOMPARE(desk.document.undoStack().count(), steps + 1);
     QTRY_COMPARE(treeOf(desk).topLevelItemCount(), 2);
     QTreeWidgetItem* row = treeOf(desk).topLevelItem(1);

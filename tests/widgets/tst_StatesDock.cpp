@@ -10,8 +10,10 @@
 #include <QtWidgets/QAbstractButton>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollBar>
 #include <QtWidgets/QToolButton>
 
 #include "model/document/SceneEdit.h"
@@ -126,6 +128,7 @@ private Q_SLOTS:
     void keptAndRecalled();
     void ofThoseWhoAreSelected();
     void whatIsTickedIsHeld();
+    void orderedAndRemovedInTheList();
     void keptAnewRemovedAndUndone();
     void namesThatAreTakenAreRefused();
     void nobodyHasNoState();
@@ -187,6 +190,44 @@ void TestStatesDock::ofThoseWhoAreSelected()
     desk.state.selection().set(std::span(ids).first(2));
     desk.keepAs("two");
     QCOMPARE(desk.document.scene().states.front().people->ids.size(), std::size_t{2});
+    auto* difference = desk.dock->findChild<QLabel*>(QStringLiteral("stateDifference"));
+    QTRY_VERIFY2(difference->text().contains(QStringLiteral("2 out of 4")),
+                 qPrintable(difference->text()));
+    desk.document.replaceScene(crowd::testing::smallTheatre(), {});
+    QCOMPARE(desk.dock->findChild<QComboBox*>(QStringLiteral("stateReach"))->currentIndex(), 0);
+}
+
+void TestStatesDock::orderedAndRemovedInTheList()
+{
+    StatesDesk desk;
+    QVERIFY(desk.isReady());
+    (void)crowd::testing::addPeople(desk.document, 2);
+    for (const char* name : {"a", "b", "c", "d", "e", "f", "g"}) {
+        desk.keepAs(name);
+    }
+    const auto order = [&desk] { return desk.names().join(QString()); };
+    // As a drag does it.
+    QVERIFY(desk.list()->model()->moveRow({}, 5, {}, 1));
+    QTRY_COMPARE(desk.document.scene().states[1].name, std::string("f"));
+    QVERIFY(desk.list()->model()->moveRow({}, 0, {}, 3));
+    QTRY_COMPARE(desk.document.scene().states[2].name, std::string("a"));
+    QTRY_COMPARE(order(), QStringLiteral("fbacdeg"));
+    // What is kept anew stays where it is in the list.
+    desk.list()->setCurrentRow(6);
+    QScrollBar* bar = desk.list()->verticalScrollBar();
+    QTRY_VERIFY(bar->maximum() > 0);
+    bar->setValue(bar->maximum());
+    const int scrolled = bar->value();
+    desk.setHeight(2.0F);
+    desk.press("keepStateAnew");
+    QTRY_VERIFY(desk.document.undoStack().undoText().contains(QStringLiteral("anew")));
+    crowd::testing::addPeople(desk.document, 1);
+    QTRY_COMPARE(bar->value(), scrolled);
+    desk.list()->setFocus();
+    QTest::keyClick(desk.list(), Qt::Key_Delete);
+    QTRY_COMPARE(order(), QStringLiteral("fbacde"));
+    desk.document.undoStack().undo();
+    QTRY_COMPARE(order(), QStringLiteral("fbacdeg"));
 }
 
 void TestStatesDock::whatIsTickedIsHeld()
@@ -556,6 +597,8 @@ void TestStatesDock::theWaveBeginsWhereOneClicks()
         }
         return nullptr;
     };
+    (void)crowd::testing::addPeople(desk.document, 2);
+    desk.keepAs("calm"); // what is recalled can be in waves
     QVERIFY2(choose() == nullptr, "all together: there is no order");
     desk.state.setRecall({{1.0F, {2.0F, model::StaggerOrder::Distance}}});
     QTRY_VERIFY(choose() != nullptr);

@@ -186,12 +186,29 @@ void FeaturesDock::connectParts()
             qOverload<>(&QTimer::start));
     connect(this, &QDockWidget::visibilityChanged, this,
             [this](bool isSeen) { isSeen ? m_count.start() : keepChange(); });
+    connect(&m_state, &EditorState::toolChanged, this, &FeaturesDock::followBrush);
     connect(m_kinds, &QComboBox::currentIndexChanged, this, [this] {
         if (!m_isFilling) {
             keepChange();
             fillValues();
         }
     });
+}
+
+/// What the brush in hand paints.
+void FeaturesDock::followBrush()
+{
+    const model::BrushSettings* brush = m_state.activeBrush();
+    const model::FeatureSettings* settings =
+        brush != nullptr ? brush->find<model::OutfitSettings>() : nullptr;
+    if (brush != nullptr && settings == nullptr) {
+        settings = brush->find<model::FeatureSettings>();
+    }
+    const model::FeatureKind* kind =
+        settings != nullptr ? findKind(m_state.scene().features, settings->kind) : nullptr;
+    if (kind != nullptr) {
+        m_kinds->setCurrentIndex(std::max(0, m_kinds->findData(uint{kind->id})));
+    }
 }
 
 void FeaturesDock::connectList()
@@ -406,6 +423,7 @@ void FeaturesDock::fillKindMenu()
         const std::uint8_t made = addKind(m_state);
         fill();
         m_kinds->setCurrentIndex(std::max(0, m_kinds->findData(uint{made})));
+        renameShownKind();
     });
     m_kindMenu->addAction(tr("Rename…"), this, &FeaturesDock::renameShownKind)
         ->setEnabled(shown != nullptr);

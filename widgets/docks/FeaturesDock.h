@@ -39,6 +39,7 @@ private:
     [[nodiscard]] QWidget* valueButtons();
     void connectParts();
     void connectList();
+    void followBrush();
     void follow(const model::SceneChange& change);
     void fill();
     void fillValues();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 
+#include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QLineEdit>
 
@@ -19,6 +20,8 @@ namespace crowd::widgets {
 using Bound = FieldForm::Bound;
 
 namespace {
+
+constexpr auto kByMouse = "isTakenByMouse"; ///< property of a list of suggestions
 
 const model::Scene& sceneBehind(const FieldForm& form)
 {
@@ -133,7 +136,16 @@ void addSuggestions(FieldForm& form, const Bound& bound)
             form.setValue(bound, text);
         }
     };
-    QObject::connect(box, &QComboBox::activated, &form, write);
+    // Who takes one by mouse does not mean to type: the next key is a brush's again.
+    QObject::connect(box->view(), &QAbstractItemView::pressed, box,
+                     [box] { box->setProperty(kByMouse, true); });
+    QObject::connect(box, &QComboBox::activated, &form, [box, write] {
+        write();
+        if (box->property(kByMouse).toBool()) {
+            box->setProperty(kByMouse, false);
+            box->clearFocus();
+        }
+    });
     QObject::connect(box->lineEdit(), &QLineEdit::editingFinished, &form, write);
     form.addLabelled(
         fieldText(bound.field->meta.label), box,

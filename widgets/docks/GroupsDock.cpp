@@ -88,8 +88,11 @@ QWidget* GroupsDock::buttons()
         layout->addWidget(button);
         connect(button, &QToolButton::clicked, this, act);
     };
-    add("add", tr("A new group of those who are selected"), "newGroup",
-        [this] { groupSelection(m_state); });
+    add("add", tr("A new group of those who are selected"), "newGroup", [this] {
+        groupSelection(m_state);
+        rebuild();
+        edit(currentId());
+    });
     add("group", tr("Take the selected characters into the active group"), "takeIn",
         [this] { putSelectionInGroup(m_state, currentId()); });
     add("select-all", tr("Select the characters of the active group"), "selectGroup",
@@ -101,6 +104,18 @@ QWidget* GroupsDock::buttons()
         }
     });
     return row;
+}
+
+/// Its name, to be typed.
+void GroupsDock::edit(GroupId id)
+{
+    for (int row = 0; id != 0 && row < m_tree->topLevelItemCount(); ++row) {
+        QTreeWidgetItem* item = m_tree->topLevelItem(row);
+        if (item->data(0, kIdRole).toUInt() == id) {
+            m_tree->setCurrentItem(item, Name);
+            m_tree->editItem(item, Name);
+        }
+    }
 }
 
 void GroupsDock::connectParts()

@@ -33,6 +33,7 @@ protected:
 
 private:
     void connectParts();
+    void edit(model::GroupId id);
     [[nodiscard]] QWidget* buttons();
     void rebuild();
     void addRow(model::GroupId id, int count);

@@ -9,6 +9,7 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "widgets/docks/FieldForm.h"
+#include "widgets/state/SceneChanges.h"
 
 namespace crowd::widgets {
 
@@ -50,6 +51,14 @@ RecallForm::RecallForm(EditorState& state, QWidget* parent)
     m_state.setRecall(recall);
     addTiming();
     addReach();
+    connect(&m_state.document(), &model::SceneDocument::changed, this,
+            [this](const model::SceneChange& change) {
+                if (isOneOf<model::SceneReplaced>(change)) {
+                    RecallSettings now = m_state.recall();
+                    now.timing.stagger.point = {}; // it was of another scene
+                    m_state.setRecall(now);
+                }
+            });
     connect(&m_state, &EditorState::recallChanged, this, [this] {
         m_timing->refresh();
         m_isForRun->setChecked(m_state.recall().isForRunAlone);

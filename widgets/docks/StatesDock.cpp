@@ -6,6 +6,7 @@
 #include <QtCore/QCoreApplication>
 #include <QtCore/QElapsedTimer>
 #include <QtCore/QSettings>
+#include <QtGui/QAction>
 #include <QtGui/QPainter>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
@@ -13,6 +14,7 @@
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
+#include <QtWidgets/QScrollBar>
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QVBoxLayout>
 
@@ -73,8 +75,10 @@ QIcon numbered(const QIcon& picture, int number, const QListWidget& list)
 StatesDock::StatesDock(EditorState& state, QWidget* parent)
     : DockBase(tr("States"), "states", parent), m_state(state), m_list(new QListWidget(this)),
       m_note(new QLabel(this)), m_difference(new QLabel(this)), m_reach(new QComboBox(this)),
-      m_pictures(new StatePictures(state, this))
+      m_recall(new RecallForm(state, this)), m_pictures(new StatePictures(state, this))
 {
+    m_list->setDragDropMode(QAbstractItemView::InternalMove);
+    m_list->setDefaultDropAction(Qt::MoveAction);
     m_list->setIconSize(StatePictures::kSize);
     m_list->setObjectName(QStringLiteral("states"));
     m_list->setFrameShape(QFrame::NoFrame);
@@ -91,7 +95,7 @@ StatesDock::StatesDock(EditorState& state, QWidget* parent)
     layout->addWidget(m_note);
     layout->addWidget(m_list);
     layout->addWidget(difference());
-    layout->addWidget(new RecallForm(state, content));
+    layout->addWidget(m_recall);
     layout->addWidget(holding());
     layout->addStretch(1);
     setScrolledContent(content);
@@ -185,9 +189,15 @@ void StatesDock::refreshDifference()
         std::ranges::any_of(found->people->ids, [this](model::IndividualId id) {
             return m_state.scene().population.rowOf(id) != model::Population::npos;
         });
-    m_difference->setText(!isSomebodyThere  ? tr("Nobody whom it keeps is there any more.")
-                          : parts.isEmpty() ? tr("They are like that now.")
-                                            : tr("Different: %1").arg(parts.join(tr(", "))));
+    const QString text = !isSomebodyThere  ? tr("Nobody whom it keeps is there any more.")
+                         : parts.isEmpty() ? tr("They are like that now.")
+                                           : tr("Different: %1").arg(parts.join(tr(", ")));
+    // Else a state of a few would be taken for one of everybody.
+    const std::size_t kept = isSeen ? found->people->ids.size() : 0;
+    const std::size_t all = m_state.scene().population.size();
+    m_difference->setText(kept < all && isSomebodyThere
+                              ? tr("Of %1 out of %2 characters. %3").arg(kept).arg(all).arg(text)
+                              : text);
     m_difference->parentWidget()->setVisible(isSeen);
     m_state.setWashed(isSeen && m_wash->isChecked() ? difference.ids
                                                     : std::vector<model::IndividualId>());
@@ -249,6 +259,7 @@ void StatesDock::connectParts()
             [this](const model::SceneChange& change) {
                 if (isOneOf<model::SceneReplaced>(change)) {
                     m_pictures->forget();
+                    m_reach->setCurrentIndex(0); // nobody is selected there
                     m_wash->setChecked(false);
                 }
                 if (isOneOf<model::StatesChanged, model::SceneReplaced>(change)) {
@@ -261,6 +272,7 @@ void StatesDock::connectParts()
             });
     connect(&m_state.document(), &model::SceneDocument::editRefused, &m_rebuild,
             qOverload<>(&QTimer::start));
+    connectKeys();
     connect(m_list, &QListWidget::itemDoubleClicked, this, [this] { recallChosen(); });
     connect(m_list, &QListWidget::currentRowChanged, this, [this] {
         refreshNotes();
@@ -281,12 +293,35 @@ void StatesDock::connectParts()
     });
 }
 
+/// The list in order by hand, and what is deleted from it.
+void StatesDock::connectKeys()
+{
+    connect(m_list->model(), &QAbstractItemModel::rowsMoved, this,
+            [this](const QModelIndex&, int from, int, const QModelIndex&, int to) {
+                const int place = to > from ? to - 1 : to;
+                const auto& states = m_state.scene().states;
+                if (!m_isFilling && from < std::ssize(states)) {
+                    moveState(m_state, states[static_cast<std::size_t>(from)].id, place - from);
+                }
+            });
+    auto* remove = new QAction(tr("Remove"), this);
+    remove->setShortcut(QKeySequence::Delete);
+    remove->setShortcutContext(Qt::WidgetShortcut);
+    connect(remove, &QAction::triggered, this, [this] {
+        if (chosen() != 0) {
+            removeState(m_state, chosen());
+        }
+    });
+    m_list->addAction(remove);
+}
+
 void StatesDock::fill()
 {
     if (m_list->viewport()->findChild<QLineEdit*>() != nullptr) {
         m_rebuild.start(); // not under the hands of who renames
         return;
     }
+    const int scrolled = m_list->verticalScrollBar()->value();
     m_isFilling = true;
     m_list->clear();
     int number = 0;
@@ -313,6 +348,7 @@ void StatesDock::fill()
     m_state.chooseState(chosen());
     const int rows = std::min(m_list->count(), kMostRows);
     m_list->setFixedHeight(rows * m_list->sizeHintForRow(0) + kRoomBelow);
+    m_list->verticalScrollBar()->setValue(scrolled); // a click finds what it was aimed at
     refreshNotes();
 }
 
@@ -322,6 +358,7 @@ void StatesDock::refreshNotes()
                        "cheering, disappointed. + keeps one."));
     m_note->setVisible(m_list->count() == 0);
     m_list->setVisible(m_list->count() > 0);
+    m_recall->setVisible(m_list->count() > 0);
     m_chosenButtons->setEnabled(chosen() != 0);
     m_compare.start();
 }

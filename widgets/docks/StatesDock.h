@@ -18,6 +18,7 @@ class QToolButton;
 
 namespace crowd::widgets {
 
+class RecallForm;
 class StatePictures;
 
 /// The kept states of the scene, in the order of their keys: a double click recalls one. Below, how
@@ -38,6 +39,7 @@ private:
     void fillReach();
     void addHolds(QMenu& menu, model::StateId id);
     void connectParts();
+    void connectKeys();
     void fill();
     void showMenu(const QPoint& position);
     void keep();
@@ -58,6 +60,7 @@ private:
     QLabel* m_note;
     QLabel* m_difference;
     QComboBox* m_reach;
+    RecallForm* m_recall;
     StatePictures* m_pictures;
     std::vector<QCheckBox*> m_aspects; ///< as propertyAspects()
     QWidget* m_chosenButtons = nullptr;
