@@ -24,8 +24,8 @@ namespace crowd::widgets {
 namespace {
 
 constexpr qint64 kPublishMs = 250;
-// Pictures slower than this are drawn without smoothing while something moves; they are smooth
-// again when they rest, or when even smooth ones would be quick.
+// Pictures slower than this are drawn with one sample a pixel and edges smoothed afterwards, until
+// even that is very quick. At rest they ripen.
 constexpr double kSlowMs = 45.0;
 constexpr double kQuickMs = 10.0;
 constexpr glm::vec3 kWashColor{0.10F, 0.75F, 1.0F};
@@ -304,11 +304,8 @@ void ViewportWidget::chooseQuality()
     const double frameMs = m_frameTimes.median();
     if (quality != PictureQuality::Automatic) {
         m_isCoarse = quality == PictureQuality::Fast;
-    } else if (isMoving()) {
+    } else if (m_ripeness == 0) { // those that become one are all alike
         m_isCoarse = m_isCoarse ? frameMs > kQuickMs : frameMs > kSlowMs;
-    } else {
-        // The first at rest is the same whatever led to it; those that follow want to be quick.
-        m_isCoarse = m_ripeness > 0 && frameMs > kSlowMs;
     }
 }
 

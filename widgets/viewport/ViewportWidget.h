@@ -47,8 +47,8 @@ public:
 
     [[nodiscard]] ToolController& tools() { return m_tools; }
     [[nodiscard]] const FrameStatistics& statistics() const { return m_statistics; }
-    /// Nothing moves, and what is shown depends on the scene and the view alone: no savings made
-    /// to keep up with a motion, no detail levels left over from the way here.
+    /// Nothing moves, and no detail levels are left over from the way here. The picture may still
+    /// ripen.
     [[nodiscard]] bool isAtRest() const { return m_isShownFinal && !isMoving(); }
     /// So many pictures of the same the one that is shown is the mean of.
     [[nodiscard]] int ripeness() const { return m_ripeness + 1; }
@@ -118,7 +118,7 @@ private:
     bool m_isFrameOpen = false;  ///< drawn, not swapped yet
     QTimer m_viewMotion;         ///< runs from a change of the view until it counts as still
     bool m_isShownFinal = false; ///< the last picture was drawn while nothing moved
-    bool m_isCoarse = false;     ///< without smoothing, to keep up with the hand
+    bool m_isCoarse = false;     ///< with one sample a pixel, to keep up with the hand
     QTimer m_ripens;             ///< runs until the next picture of those that become one
     int m_ripeness = 0;          ///< of the last picture: how many of the same were before it
     bool m_isRipening = false;   ///< the next picture is one more of the same
