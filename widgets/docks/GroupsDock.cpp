@@ -88,11 +88,8 @@ QWidget* GroupsDock::buttons()
         layout->addWidget(button);
         connect(button, &QToolButton::clicked, this, act);
     };
-    add("add", tr("A new group of those who are selected"), "newGroup", [this] {
-        groupSelection(m_state);
-        rebuild();
-        edit(currentId());
-    });
+    add("add", tr("A new group of those who are selected"), "newGroup",
+        [this] { groupSelected(); });
     add("group", tr("Take the selected characters into the active group"), "takeIn",
         [this] { putSelectionInGroup(m_state, currentId()); });
     add("select-all", tr("Select the characters of the active group"), "selectGroup",
@@ -104,6 +101,14 @@ QWidget* GroupsDock::buttons()
         }
     });
     return row;
+}
+
+/// Its name is what comes next.
+void GroupsDock::groupSelected()
+{
+    groupSelection(m_state);
+    rebuild();
+    edit(currentId());
 }
 
 /// Its name, to be typed.
@@ -324,7 +329,7 @@ void GroupsDock::showMenu(const QPoint& position)
         menu.addSeparator();
     }
     menu.addAction(iconNamed("add"), tr("New Group of the Selected"), this,
-                   [this] { groupSelection(m_state); });
+                   &GroupsDock::groupSelected);
     menu.exec(m_tree->viewport()->mapToGlobal(position));
 }
 

@@ -33,6 +33,7 @@ protected:
 
 private:
     void connectParts();
+    void groupSelected();
     void edit(model::GroupId id);
     [[nodiscard]] QWidget* buttons();
     void rebuild();
