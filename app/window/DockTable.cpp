@@ -36,7 +36,7 @@ constexpr std::array<DockInfo, static_cast<std::size_t>(DockId::Count)> kDocks{{
     {DockId::Scene, &make<widgets::SceneDock>, kRight, 0, 0, DockId::Templates},
     {DockId::Environment, &make<widgets::EnvironmentDock>, kRight, 0, 0, DockId::Individual},
     // Sentences want room: wide, below the picture.
-    {DockId::Rules, &make<widgets::RulesDock>, kBottom, 270, 0, std::nullopt, false},
+    {DockId::Rules, &make<widgets::RulesDock>, kBottom, 270, 0, std::nullopt, false, "rules"},
     {DockId::History, &make<widgets::HistoryDock>, kRight, 0, 0, DockId::Scene},
     {DockId::Strokes, &make<widgets::StrokesDock>, kLeft, 0, 0, DockId::BrushSettings},
     {DockId::Presets, &make<widgets::PresetsDock>, kLeft, 0, 0, DockId::BrushSettings},

@@ -61,6 +61,7 @@ struct DockInfo
     int width = 0;                       ///< of its area; 0: as it comes
     std::optional<DockId> tabAfter = {}; ///< behind this one
     bool isShown = true;                 ///< else only when it is asked for
+    const char* action = nullptr;        ///< that shows it with keys of its own; null: none
 };
 
 /// All of them, in the order of DockId.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/WindowBars.h"
 
+#include <cstddef>
+
 #include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
 #include <QtCore/QSignalBlocker>
@@ -12,6 +14,7 @@
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QToolBar>
 
+#include "app/window/DockTable.h"
 #include "app/window/MainWindow.h"
 #include "app/window/Mnemonics.h"
 #include "app/window/WindowActions.h"
@@ -73,6 +76,16 @@ void addSpeedField(QToolBar& bar, widgets::EditorState& state, QWidget& picture)
                      });
 }
 
+/// What shows each panel: with keys of its own where it has some.
+void addPanels(QMenu& menu, const std::vector<QDockWidget*>& docks,
+               const widgets::ActionRegistry& actions)
+{
+    for (std::size_t i = 0; i < docks.size(); ++i) {
+        const char* own = dockTable()[i].action;
+        menu.addAction(own != nullptr ? actions.action(own) : docks[i]->toggleViewAction());
+    }
+}
+
 void addActions(QMenu& menu, std::span<const char* const> ids,
                 const widgets::ActionRegistry& actions)
 {
@@ -93,9 +106,7 @@ Submenus fillMenuBar(QMenuBar& bar, const widgets::ActionRegistry& actions,
             if (id.empty()) {
                 menu->addSeparator();
             } else if (id == "@docks") {
-                for (const QDockWidget* dock : docks) {
-                    menu->addAction(dock->toggleViewAction());
-                }
+                addPanels(*menu, docks, actions);
             } else if (id.front() == '@') {
                 const SubmenuSpec& inside = submenuSpec(id);
                 submenus[id] = menu->addMenu(QCoreApplication::translate("Menus", inside.title));
