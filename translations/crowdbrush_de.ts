@@ -935,6 +935,10 @@
         <source>Show the shadows of people and stages</source>
         <translation>Die Schatten von Figuren und Bühnen zeigen</translation>
     </message>
+    <message>
+        <source>“%1” was recalled in this run alone: Stop gives the scene back. Undo once more takes back: %2</source>
+        <translation>„%1“ wurde nur in diesem Lauf abgerufen: Anhalten gibt die Szene zurück. Nochmals rückgängig nimmt zurück: %2</translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>

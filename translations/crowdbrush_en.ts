@@ -935,6 +935,10 @@
         <source>Show the shadows of people and stages</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>“%1” was recalled in this run alone: Stop gives the scene back. Undo once more takes back: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>

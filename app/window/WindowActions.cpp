@@ -88,6 +88,13 @@ void undoSaying(MainWindow& window)
 {
     QUndoStack& stack = window.document().undoStack();
     const QString text = stack.undoText();
+    if (const QString recalled = window.state().takeRecallInRun(); !recalled.isEmpty()) {
+        window.state().showStatus(QCoreApplication::translate(
+                                      "Actions", "“%1” was recalled in this run alone: Stop gives "
+                                                 "the scene back. Undo once more takes back: %2")
+                                      .arg(recalled, text));
+        return;
+    }
     const int before = stack.index();
     stack.undo();
     if (stack.index() != before) { // else something else was said

@@ -8,6 +8,7 @@ crowd_add_tests(ROOM app LINK crowd_app TESTS
     tst_Panels
     tst_PictureFormats
     tst_QuickCard
+    tst_RunRecall
     tst_SavePicture
     tst_SceneFiles
     tst_StepMenu

@@ -85,6 +85,7 @@ void recallInRun(EditorState& state, const State& kept)
         state.showStatus(
             StatesText::tr("“%1”: none of its characters is there").arg(quoted(kept.name)));
     } else if (state.session().recall(change)) {
+        state.noteRecallInRun(quoted(kept.name));
         state.showStatus(StatesText::tr("“%1” for %n characters, in this run alone: Stop gives "
                                         "the scene back",
                                         nullptr, static_cast<int>(change.ids.size()))

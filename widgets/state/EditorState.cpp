@@ -206,6 +206,19 @@ void EditorState::chooseLight(model::LightId id)
     }
 }
 
+void EditorState::noteRecallInRun(const QString& name)
+{
+    m_recalledInRun = name;
+    m_recalledAtStep = m_document.undoStack().index();
+}
+
+QString EditorState::takeRecallInRun()
+{
+    const bool isLast = m_session.isRunning() && m_recalledAtStep == m_document.undoStack().index();
+    const QString name = std::exchange(m_recalledInRun, QString());
+    return isLast ? name : QString();
+}
+
 void EditorState::setRecall(const RecallSettings& recall)
 {
     if (m_recall != recall) {

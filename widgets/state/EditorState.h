@@ -181,6 +181,10 @@ public:
 
     [[nodiscard]] const RecallSettings& recall() const { return m_recall; }
     void setRecall(const RecallSettings& recall);
+    /// A state was recalled in the run alone, of which undo knows nothing.
+    void noteRecallInRun(const QString& name);
+    /// The name of that state, once, while the run goes on and nothing was done in the scene since.
+    [[nodiscard]] QString takeRecallInRun();
 
     /// The light that is looked at and has its handles in the picture; 0: none.
     [[nodiscard]] model::LightId chosenLight() const { return m_chosenLight; }
@@ -260,6 +264,8 @@ private:
     Picking m_picking = Picking::None;
     PointTaken m_pointTaken; ///< of Picking::Place
     RecallSettings m_recall;
+    QString m_recalledInRun;  ///< empty: none
+    int m_recalledAtStep = 0; ///< of the undo stack
     std::vector<model::IndividualId> m_washed;
     model::LightId m_chosenLight = 0;
     model::StateId m_chosenState = 0;

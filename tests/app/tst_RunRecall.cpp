@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include <QtGui/QUndoStack>
+#include <QtTest/QTest>
+#include <QtWidgets/QDockWidget>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QMenuBar>
+
+#include "model/document/SceneEdit.h"
+#include "tests/app/PlainScene.h"
+#include "tests/app/SceneWindow.h"
+#include "tests/program/WindowTest.h"
+#include "widgets/commands/StateCommands.h"
+
+using namespace crowd;
+using namespace crowd::testing;
+
+/// What undo and the Window menu say of what they do not show by themselves.
+class TestRunRecall : public QObject, SceneWindow
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { prepare("RunRecall"); }
+    void init() { begin(); }
+    void cleanup() { m_window.reset(); }
+    void undoSaysWhatItDoesNotKnow();
+    void theMenuOfPanelsShowsTheirKeys();
+
+private:
+    void setHeight(float height);
+};
+
+void TestRunRecall::setHeight(float height)
+{
+    const auto all = document().scene().population.ids();
+    const std::vector<model::IndividualId> ids(all.begin(), all.end());
+    document().edit(QStringLiteral("Height"), [&](model::SceneEdit& edit) {
+        edit.setColumn(model::columns::height, ids, std::span<const float>(&height, 1));
+    });
+}
+
+void TestRunRecall::undoSaysWhatItDoesNotKnow()
+{
+    openScene(plainScene(4), QStringLiteral("a.crowd"));
+    widgets::EditorState& state = m_window->state();
+    QVERIFY(widgets::keepStateAs(state, QStringLiteral("calm"), {model::ColumnId::Height},
+                                 widgets::StateReach::Everybody, 0));
+    setHeight(1.5F);
+    const int steps = document().undoStack().index();
+    QString said;
+    connect(&state, &widgets::EditorState::statusMessage, this,
+            [&said](const QString& text) { said = text; });
+    state.transport().setPlaying(true);
+    const model::StateId calm = document().scene().states.front().id;
+    QTRY_VERIFY((widgets::recallStateOf(state, calm, widgets::RecallInto::Run),
+                 state.session().isRunning() && said.contains(QStringLiteral("in this run"))));
+    QAction* undo = m_window->actions().action("undo");
+    said.clear();
+    undo->trigger();
+    QCOMPARE(document().undoStack().index(), steps);
+    QVERIFY2(said.contains(QStringLiteral("calm")) && said.contains(QStringLiteral("Height")),
+             qPrintable(said));
+    undo->trigger();
+    QCOMPARE(document().undoStack().index(), steps - 1);
+    // What was done in the scene since is what undo means.
+    widgets::recallStateOf(state, calm, widgets::RecallInto::Run);
+    setHeight(1.2F);
+    undo->trigger();
+    QCOMPARE(document().undoStack().index(), steps - 1);
+    document().undoStack().setClean();
+}
+
+void TestRunRecall::theMenuOfPanelsShowsTheirKeys()
+{
+    QAction* rules = m_window->actions().action("rules");
+    int panels = 0;
+    bool isThere = false;
+    for (const QAction* top : m_window->menuBar()->actions()) {
+        const QList<QAction*> inside = top->menu()->actions();
+        for (const QDockWidget* dock : m_window->docks()) {
+            panels += inside.contains(dock->toggleViewAction()) ? 1 : 0;
+        }
+        isThere |= top->text().contains(QStringLiteral("Window")) && inside.contains(rules);
+    }
+    QVERIFY(isThere);
+    QCOMPARE(panels + 1, static_cast<int>(m_window->docks().size()));
+    QCOMPARE(rules->shortcut(), QKeySequence(QStringLiteral("Ctrl+Shift+B")));
+}
+
+CROWD_WINDOW_TEST(TestRunRecall)
+#include "tst_RunRecall.moc"
