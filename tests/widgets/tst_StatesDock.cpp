@@ -597,8 +597,6 @@ void TestStatesDock::theWaveBeginsWhereOneClicks()
         }
         return nullptr;
     };
-    (void)crowd::testing::addPeople(desk.document, 2);
-    desk.keepAs("calm"); // what is recalled can be in waves
     QVERIFY2(choose() == nullptr, "all together: there is no order");
     desk.state.setRecall({{1.0F, {2.0F, model::StaggerOrder::Distance}}});
     QTRY_VERIFY(choose() != nullptr);

@@ -75,7 +75,7 @@ QIcon numbered(const QIcon& picture, int number, const QListWidget& list)
 StatesDock::StatesDock(EditorState& state, QWidget* parent)
     : DockBase(tr("States"), "states", parent), m_state(state), m_list(new QListWidget(this)),
       m_note(new QLabel(this)), m_difference(new QLabel(this)), m_reach(new QComboBox(this)),
-      m_recall(new RecallForm(state, this)), m_pictures(new StatePictures(state, this))
+      m_pictures(new StatePictures(state, this))
 {
     m_list->setDragDropMode(QAbstractItemView::InternalMove);
     m_list->setDefaultDropAction(Qt::MoveAction);
@@ -95,7 +95,7 @@ StatesDock::StatesDock(EditorState& state, QWidget* parent)
     layout->addWidget(m_note);
     layout->addWidget(m_list);
     layout->addWidget(difference());
-    layout->addWidget(m_recall);
+    layout->addWidget(new RecallForm(state, content));
     layout->addWidget(holding());
     layout->addStretch(1);
     setScrolledContent(content);
@@ -358,7 +358,6 @@ void StatesDock::refreshNotes()
                        "cheering, disappointed. + keeps one."));
     m_note->setVisible(m_list->count() == 0);
     m_list->setVisible(m_list->count() > 0);
-    m_recall->setVisible(m_list->count() > 0);
     m_chosenButtons->setEnabled(chosen() != 0);
     m_compare.start();
 }

@@ -18,7 +18,6 @@ class QToolButton;
 
 namespace crowd::widgets {
 
-class RecallForm;
 class StatePictures;
 
 /// The kept states of the scene, in the order of their keys: a double click recalls one. Below, how
@@ -60,7 +59,6 @@ private:
     QLabel* m_note;
     QLabel* m_difference;
     QComboBox* m_reach;
-    RecallForm* m_recall;
     StatePictures* m_pictures;
     std::vector<QCheckBox*> m_aspects; ///< as propertyAspects()
     QWidget* m_chosenButtons = nullptr;
