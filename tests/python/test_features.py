@@ -56,6 +56,7 @@ class Features(unittest.TestCase):
 
     def test_a_mix_and_none(self):
         scene, ids = crowd()
+        before = clips_of(scene)
         scene.set_feature(ids, "emotion", {"happy": 3, "sad": 1})
         names = scene.feature("emotion")
         self.assertEqual(set(names), {"happy", "sad"})
@@ -63,9 +64,10 @@ class Features(unittest.TestCase):
         scene.set_feature(ids[:4], "emotion", ["bored", "angry"])
         self.assertLessEqual(set(scene.feature("emotion")[:4]), {"bored", "angry"})
         clips = clips_of(scene)
+        self.assertNotEqual(clips[:4], before[:4])
         scene.set_feature(ids[:4], "emotion", None)
         self.assertEqual(set(scene.feature("emotion")[:4]), {""})
-        self.assertEqual(clips_of(scene), clips)
+        self.assertEqual(clips_of(scene), before[:4] + clips[4:])  # what it did is undone
 
     def test_outfits_dress(self):
         scene, ids = crowd(4)
