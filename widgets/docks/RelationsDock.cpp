@@ -192,12 +192,18 @@ const model::RelationKind* RelationsDock::chosen() const
     return findRelation(m_state.scene().relationKinds, chosenId());
 }
 
+QString RelationsDock::tipFor(int number)
+{
+    return tr("%n relations of this kind", nullptr, number) + QLatin1Char('\n') +
+           tr("Double click or F2: rename");
+}
+
 void RelationsDock::addRow(const model::RelationKind& kind)
 {
     auto* item = new QListWidgetItem(relationSwatch(kind.color), relationText(kind.name), m_kinds);
     item->setData(kRelationIdRole, kind.id);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
-    item->setToolTip(tr("Double click or F2: rename"));
+    item->setToolTip(tipFor(0)); // until they are counted
 }
 
 void RelationsDock::fill()
@@ -241,8 +247,7 @@ void RelationsDock::count()
     for (int row = 0; row < m_kinds->count(); ++row) {
         QListWidgetItem* item = m_kinds->item(row);
         const int number = counts[item->data(kRelationIdRole).toUInt()];
-        item->setToolTip(tr("%n relations of this kind", nullptr, number) + QLatin1Char('\n') +
-                         tr("Double click or F2: rename"));
+        item->setToolTip(tipFor(number));
     }
     m_isFilling = false;
     const int number = counts[chosenId()];

@@ -34,6 +34,7 @@ private:
     void connectList();
     void fill();
     void addRow(const model::RelationKind& kind);
+    [[nodiscard]] static QString tipFor(int number); ///< so many relations
     void count();
     void showKind();
     void chooseForBrush();
