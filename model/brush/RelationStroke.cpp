@@ -205,18 +205,16 @@ void RelationStroke::eraseBetween(SceneEdit& edit)
 
 void RelationStroke::settle(SceneEdit& edit)
 {
-    const bool isErasing = m_settings.erases && isFromTo();
-    if (m_settings.how != RelationHow::FromTo || m_from.empty() ||
-        (m_settings.erases && !isErasing)) {
+    const bool isErasedAtOnce = m_settings.erases && m_isArea;
+    if (m_settings.how != RelationHow::FromTo || m_from.empty() || isErasedAtOnce) {
         return;
     }
     edit.rollback();
-    if (isErasing) {
-        m_changed.clear();
+    m_changed.clear();
+    if (m_settings.erases) {
         eraseBetween(edit);
         return;
     }
-    m_changed.clear();
     if (m_from.size() * m_to.size() > kMostAtOnce) {
         m_reason = StrokeReason::TooManyAtOnce;
         return;
