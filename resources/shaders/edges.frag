@@ -15,17 +15,33 @@ float brightness(vec2 pixels)
                vec3(0.299, 0.587, 0.114));
 }
 
+// A pixel and its neighbours.
+struct Cross
+{
+    float here, up, down, right, left;
+    float range; // of all of them
+    bool isEdge;
+};
+
+Cross crossHere()
+{
+    Cross c;
+    c.here = brightness(vec2(0.0));
+    c.up = brightness(vec2(0.0, 1.0));
+    c.down = brightness(vec2(0.0, -1.0));
+    c.right = brightness(vec2(1.0, 0.0));
+    c.left = brightness(vec2(-1.0, 0.0));
+    float most = max(max(max(c.up, c.down), max(c.left, c.right)), c.here);
+    float least = min(min(min(c.up, c.down), min(c.left, c.right)), c.here);
+    c.range = most - least;
+    c.isEdge = c.range >= max(kLeast, most * kLeastShare);
+    return c;
+}
+
 #ifdef MARKED
 void main()
 {
-    float here = brightness(vec2(0.0));
-    float up = brightness(vec2(0.0, 1.0));
-    float down = brightness(vec2(0.0, -1.0));
-    float right = brightness(vec2(1.0, 0.0));
-    float left = brightness(vec2(-1.0, 0.0));
-    float most = max(max(max(up, down), max(left, right)), here);
-    float least = min(min(min(up, down), min(left, right)), here);
-    if (most - least < max(kLeast, most * kLeastShare)) {
+    if (!crossHere().isEdge) {
         discard;
     }
     fragment = vec4(0.0);
@@ -51,42 +67,35 @@ vec2 follow(vec2 border, vec2 along, float own, float limit)
 
 void main()
 {
-    float here = brightness(vec2(0.0));
-    float up = brightness(vec2(0.0, 1.0));
-    float down = brightness(vec2(0.0, -1.0));
-    float right = brightness(vec2(1.0, 0.0));
-    float left = brightness(vec2(-1.0, 0.0));
+    Cross c = crossHere();
     float upRight = brightness(vec2(1.0, 1.0));
     float upLeft = brightness(vec2(-1.0, 1.0));
     float downRight = brightness(vec2(1.0, -1.0));
     float downLeft = brightness(vec2(-1.0, -1.0));
-    float most = max(max(max(up, down), max(left, right)), here);
-    float least = min(min(min(up, down), min(left, right)), here);
-    float range = most - least;
-    float acrossRows = abs(upLeft + downLeft - 2.0 * left) + 2.0 * abs(up + down - 2.0 * here) +
-                       abs(upRight + downRight - 2.0 * right);
-    float acrossColumns = abs(upLeft + upRight - 2.0 * up) + 2.0 * abs(left + right - 2.0 * here) +
-                          abs(downLeft + downRight - 2.0 * down);
+    float acrossRows = abs(upLeft + downLeft - 2.0 * c.left) + 2.0 * abs(c.up + c.down - 2.0 * c.here) +
+                       abs(upRight + downRight - 2.0 * c.right);
+    float acrossColumns = abs(upLeft + upRight - 2.0 * c.up) + 2.0 * abs(c.left + c.right - 2.0 * c.here) +
+                          abs(downLeft + downRight - 2.0 * c.down);
     bool isLevel = acrossRows >= acrossColumns;
-    float low = isLevel ? down : left;
-    float high = isLevel ? up : right;
-    bool isHigh = abs(high - here) >= abs(low - here);
+    float low = isLevel ? c.down : c.left;
+    float high = isLevel ? c.up : c.right;
+    bool isHigh = abs(high - c.here) >= abs(low - c.here);
     vec2 across = (isLevel ? vec2(0.0, 1.0) : vec2(1.0, 0.0)) * (isHigh ? 1.0 : -1.0);
     vec2 along = isLevel ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
-    float own = 0.5 * ((isHigh ? high : low) + here);
-    float limit = 0.25 * max(abs(high - here), abs(low - here));
+    float own = 0.5 * ((isHigh ? high : low) + c.here);
+    float limit = 0.25 * max(abs(high - c.here), abs(low - c.here));
     vec2 border = across * 0.5;
     vec2 before = follow(border, -along, own, limit);
     vec2 after = follow(border, along, own, limit);
     vec2 nearer = before.x < after.x ? before : after;
     // Only where the line, at its nearer end, goes over to this pixel's side.
-    bool isCrossed = (here < own) != (nearer.y < 0.0);
+    bool isCrossed = (c.here < own) != (nearer.y < 0.0);
     float shift = isCrossed ? 0.5 - nearer.x / (before.x + after.x) : 0.0;
-    float around = (2.0 * (up + down + left + right) + upLeft + upRight + downLeft + downRight) / 12.0;
-    float thin = smoothstep(0.0, 1.0, min(1.0, abs(around - here) / range));
+    float around = (2.0 * (c.up + c.down + c.left + c.right) + upLeft + upRight + downLeft + downRight) / 12.0;
+    float thin = smoothstep(0.0, 1.0, min(1.0, abs(around - c.here) / c.range));
     shift = max(shift, thin * thin * kThin);
     // For targets on which nothing could be marked. Without a discard, the marks spare the whole way.
-    shift = range < max(kLeast, most * kLeastShare) ? 0.0 : shift;
+    shift = c.isEdge ? shift : 0.0;
     fragment = vec4(textureLod(picture, (gl_FragCoord.xy + across * shift) * texel, 0.0).rgb, 1.0);
 }
 #endif
