@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/python/ColumnRules.h"
+#include "model/brush/FeatureBrush.h"
 #include "model/describe/FieldChecks.h"
 #include "model/scene/NearestPath.h"
 
@@ -126,8 +127,7 @@ Result<void> checkRelation(const Scene& scene, const std::string& kind, const st
 /// Kind and values of a brush of features.
 Result<void> checkFeatures(const Scene& scene, const BrushType& type, const BrushSettings& brush)
 {
-    const auto* outfit = brush.find<OutfitSettings>();
-    const FeatureSettings& settings = outfit != nullptr ? *outfit : brush.as<FeatureSettings>();
+    const FeatureSettings& settings = *featureSettings(brush);
     const FeatureKind* kind = findKind(scene.features, settings.kind);
     if (kind == nullptr) {
         return Error{prefixOf(type) + "kind: " + noKindText(scene.features, settings.kind)};

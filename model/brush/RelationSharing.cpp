@@ -7,6 +7,7 @@
 #include <span>
 
 #include "model/brush/ColumnWriting.h"
+#include "model/brush/FeatureBrush.h"
 #include "model/brush/SlotChoice.h"
 #include "model/features/FeatureWriting.h"
 
@@ -106,11 +107,8 @@ std::vector<IndividualId> shareColours(const ChangeRequest& request, const Sourc
 void shareWithRelated(const ChangeRequest& request, std::vector<IndividualId>& changed)
 {
     const BrushSettings& brush = request.settings;
-    const auto* feature = brush.find<FeatureSettings>();
-    const auto* outfit = brush.find<OutfitSettings>();
-    feature = outfit != nullptr ? outfit : feature;
     std::vector<IndividualId> others;
-    if (feature != nullptr) {
+    if (const FeatureSettings* feature = featureSettings(brush)) {
         const Sources sources = sourcesOf(request, changed, &RelationKind::sharesFeatures);
         others = sources.empty() ? others : shareFeature(request, sources, feature->kind);
     } else if (brush.kind() == BrushKind::Colour) {

@@ -16,6 +16,7 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "model/base/Translated.h"
+#include "model/brush/FeatureBrush.h"
 #include "model/features/FeatureWriting.h"
 #include "model/project/FeatureFile.h"
 #include "widgets/commands/FeatureCommands.h"
@@ -199,11 +200,7 @@ void FeaturesDock::connectParts()
 void FeaturesDock::followBrush()
 {
     const model::BrushSettings* brush = m_state.activeBrush();
-    const model::FeatureSettings* settings =
-        brush != nullptr ? brush->find<model::OutfitSettings>() : nullptr;
-    if (brush != nullptr && settings == nullptr) {
-        settings = brush->find<model::FeatureSettings>();
-    }
+    const model::FeatureSettings* settings = brush != nullptr ? featureSettings(*brush) : nullptr;
     const model::FeatureKind* kind =
         settings != nullptr ? findKind(m_state.scene().features, settings->kind) : nullptr;
     if (kind != nullptr) {

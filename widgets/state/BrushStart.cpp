@@ -7,6 +7,7 @@
 #include <QtCore/QCoreApplication>
 
 #include "model/brush/ClipChoice.h"
+#include "model/brush/FeatureBrush.h"
 
 namespace crowd::widgets {
 
@@ -125,10 +126,7 @@ void chooseFeatureKind(const model::Scene& scene, model::FeatureSettings& settin
         return;
     }
     const BrushSettings usual(kind);
-    const auto* outfit = usual.find<model::OutfitSettings>();
-    const std::string& name =
-        outfit != nullptr ? outfit->kind : usual.as<model::FeatureSettings>().kind;
-    const model::FeatureKind* own = findKind(scene.features, name);
+    const model::FeatureKind* own = findKind(scene.features, featureSettings(usual)->kind);
     settings.kind = own != nullptr ? own->name : scene.features.front().name;
     settings.values.clear();
 }
@@ -155,9 +153,7 @@ bool startBrush(EditorState& state, BrushKind kind)
         }
     } else if (auto* restore = brush.find<model::RestoreSettings>()) {
         chooseRestored(state, *restore);
-    } else if (auto* outfit = brush.find<model::OutfitSettings>()) {
-        chooseFeatureKind(state.scene(), *outfit, kind);
-    } else if (auto* feature = brush.find<model::FeatureSettings>()) {
+    } else if (auto* feature = featureSettings(brush)) {
         chooseFeatureKind(state.scene(), *feature, kind);
     } else if (const auto* script = brush.find<model::ScriptSettings>()) {
         if (script->brush.empty() && !state.scriptBrushes().empty()) {

@@ -5,6 +5,7 @@
 #include "model/base/Random.h"
 #include "model/base/WeightedDraw.h"
 #include "model/brush/ColumnWriting.h"
+#include "model/brush/FeatureBrush.h"
 #include "model/features/FeatureWriting.h"
 
 namespace crowd::model {
@@ -80,17 +81,11 @@ std::vector<FeatureId> wantedOf(const std::vector<Offer>& offers, const Operator
     return wanted;
 }
 
-const FeatureSettings& settingsOf(const BrushSettings& brush)
-{
-    const auto* outfit = brush.find<OutfitSettings>();
-    return outfit != nullptr ? *outfit : brush.as<FeatureSettings>();
-}
-
 } // namespace
 
 ChangeResult FeatureSettings::change(const ChangeRequest& request)
 {
-    const FeatureSettings& settings = settingsOf(request.settings);
+    const FeatureSettings& settings = *featureSettings(request.settings);
     const FeatureKind* kind = findKind(request.edit.scene().features, settings.kind);
     ChangeResult result;
     result.reason = StrokeReason::NoSuchFeature;
@@ -119,8 +114,7 @@ void FeatureSettings::prepare(BrushSettings& brush)
 
 std::string FeatureSettings::take(BrushSettings& brush, const TakenFrom& from)
 {
-    auto* outfit = brush.find<OutfitSettings>();
-    FeatureSettings& settings = outfit != nullptr ? *outfit : brush.as<FeatureSettings>();
+    FeatureSettings& settings = *featureSettings(brush);
     const FeatureKind* kind = findKind(from.scene.features, settings.kind);
     const FeatureValue* value =
         kind != nullptr ? findFeature(from.scene.features, from.value(columns::feature(kind->id)))
