@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
-#include <map>
 #include <utility>
 
 #include "behavior/agents/StateFades.h"
@@ -79,8 +78,15 @@ private:
     void writeStep(const FadeColumn& column);
     void writeClips(const FadeColumn& column);
     void replaceFades(const std::vector<ClipFade>& coming, const std::vector<std::uint32_t>& rows);
-    /// Null: the template is not there, or has none of that number.
-    [[nodiscard]] const Clip* clipOf(TemplateId id, std::uint16_t clip);
+    void findClips();
+    /// Null: the template is not there.
+    [[nodiscard]] const Clip* clipOf(TemplateId id, std::uint16_t clip) const
+    {
+        if (id >= m_clips.size() || m_clips[id].empty()) {
+            return nullptr;
+        }
+        return m_clips[id][std::min<std::size_t>(clip, m_clips[id].size() - 1)];
+    }
     [[nodiscard]] bool isBusy(std::uint32_t row) const
     {
         return row < m_isBusy.size() && m_isBusy[row];
@@ -89,7 +95,7 @@ private:
     const std::vector<bool>& m_isBusy;
     CrowdFrame& m_frame;
     OnTheWay m_way;
-    std::map<std::pair<TemplateId, std::uint16_t>, const Clip*> m_clips;
+    std::vector<std::vector<const Clip*>> m_clips; ///< by template id, as its clip column counts
 };
 
 void FadedFrame::apply(const FadeColumn& column)
@@ -168,18 +174,18 @@ void FadedFrame::writeStep(const FadeColumn& column)
     }
 }
 
-const Clip* FadedFrame::clipOf(TemplateId id, std::uint16_t clip)
+void FadedFrame::findClips()
 {
-    if (const auto known = m_clips.find({id, clip}); known != m_clips.end()) {
-        return known->second;
+    for (const TemplateEntry& entry : *m_frame.templates) {
+        m_clips.resize(std::max<std::size_t>(m_clips.size(), entry.id + std::size_t{1}));
+        std::vector<const Clip*>& clips = m_clips[entry.id];
+        const std::size_t count = std::max<std::size_t>(entry.clipNames.size(), 1);
+        for (std::size_t i = 0; entry.asset && i < count; ++i) {
+            const int index = assetClip(entry, static_cast<std::uint16_t>(i));
+            clips.push_back(index < 0 ? nullptr
+                                      : &entry.asset->clips[static_cast<std::size_t>(index)]);
+        }
     }
-    const Clip* found = nullptr;
-    const auto entry = std::ranges::find(*m_frame.templates, id, &TemplateEntry::id);
-    if (entry != m_frame.templates->end() && entry->asset) {
-        const int index = assetClip(*entry, clip);
-        found = index < 0 ? nullptr : &entry->asset->clips[static_cast<std::size_t>(index)];
-    }
-    return m_clips[{id, clip}] = found;
 }
 
 void FadedFrame::writeClips(const FadeColumn& column)
@@ -188,30 +194,35 @@ void FadedFrame::writeClips(const FadeColumn& column)
     const auto clips = people.edit(shownKeys::clip, m_way.rows);
     const auto phases = people.edit(shownKeys::phase, m_way.rows);
     const auto rates = people.edit(shownKeys::playbackSpeed, m_way.rows);
-    std::vector<ClipFade> coming;
+    const auto templates = std::as_const(people).column(shownKeys::templateId);
+    findClips();
+    constexpr float kNotComing = 2.0F; // no share is
+    std::vector<ClipFade> coming(m_way.rows.size(), {0, 0, 0.0F, kNotComing});
+    overRows(m_way.rows.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t row = m_way.rows[i];
+            const std::uint32_t person = m_way.people[i];
+            if (isBusy(row)) {
+                continue;
+            }
+            std::uint16_t clip = 0;
+            std::memcpy(&clip, column.bytes.data() + person * sizeof(clip), sizeof(clip));
+            const float phase = column.phases[person];
+            const float rate = column.rates[person];
+            if (m_way.shares[i] <= 0.0F) {
+                clips[row] = clip;
+                phases[row] = phase;
+                rates[row] = rate;
+            } else if (const Clip* from = clipOf(templates[row], clip)) {
+                const float place = shownPhase(*from, phase, rate, m_frame.seconds);
+                coming[i] = {row, clip, place, m_way.shares[i]};
+            }
+        }
+    });
+    std::erase_if(coming, [](const ClipFade& each) { return each.share == kNotComing; });
     std::vector<std::uint32_t> rows;
-    coming.reserve(m_way.rows.size());
-    rows.reserve(m_way.rows.size());
-    for (std::size_t i = 0; i < m_way.rows.size(); ++i) {
-        const std::uint32_t row = m_way.rows[i];
-        const std::uint32_t person = m_way.people[i];
-        if (isBusy(row)) {
-            continue;
-        }
-        rows.push_back(row);
-        std::uint16_t clip = 0;
-        std::memcpy(&clip, column.bytes.data() + person * sizeof(clip), sizeof(clip));
-        const float phase = column.phases[person];
-        const float rate = column.rates[person];
-        if (m_way.shares[i] <= 0.0F) {
-            clips[row] = clip;
-            phases[row] = phase;
-            rates[row] = rate;
-        } else if (const Clip* from = clipOf(people.column(shownKeys::templateId)[row], clip)) {
-            const float place = shownPhase(*from, phase, rate, m_frame.seconds);
-            coming.push_back({row, clip, place, m_way.shares[i]});
-        }
-    }
+    std::ranges::copy_if(m_way.rows, std::back_inserter(rows),
+                         [this](std::uint32_t row) { return !isBusy(row); });
     replaceFades(coming, rows);
 }
 
@@ -222,6 +233,10 @@ void FadedFrame::replaceFades(const std::vector<ClipFade>& coming,
     std::erase_if(m_frame.fades, [&rows](const ClipFade& fade) {
         return std::ranges::binary_search(rows, fade.row);
     });
+    if (m_frame.fades.empty()) {
+        m_frame.fades = coming;
+        return;
+    }
     std::vector<ClipFade> all;
     all.reserve(m_frame.fades.size() + coming.size());
     std::ranges::merge(m_frame.fades, coming, std::back_inserter(all), {}, &ClipFade::row,

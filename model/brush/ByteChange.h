@@ -46,6 +46,13 @@ public:
     void apply(const WriteColumn& write, std::vector<IndividualId>& changed) const
     {
         write(m_column, m_ids, m_values);
+        if (m_ids.empty() || changed == m_ids) {
+            return;
+        }
+        if (changed.empty()) {
+            changed = m_ids;
+            return;
+        }
         std::vector<IndividualId> all;
         std::ranges::set_union(changed, m_ids, std::back_inserter(all));
         changed = std::move(all);

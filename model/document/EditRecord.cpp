@@ -74,8 +74,14 @@ void EditRecord::removeIndividuals(std::span<const IndividualId> ids, const Popu
 void EditRecord::touchColumn(ColumnId column, std::span<const IndividualId> ids,
                              const Population& population)
 {
+    FirstTouch& touched = m_touched[column];
+    const std::size_t stride = columnInfo(column).stride;
+    if (m_added.empty()) {
+        touched.remember(ids, population.values(column, ids), stride);
+        return;
+    }
     const Ids old = minus(ids, m_added);
-    m_touched[column].remember(old, population.values(column, old), columnInfo(column).stride);
+    touched.remember(old, population.values(column, old), stride);
 }
 
 SceneDelta EditRecord::delta(const Scene& scene) const

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "model/population/StoredRows.h"
+#include "model/population/Strides.h"
 
 namespace crowd::model {
 
@@ -25,6 +26,11 @@ Ids united(std::span<const IndividualId> a, std::span<const IndividualId> b)
 void FirstTouch::remember(std::span<const IndividualId> ids, std::span<const std::byte> values,
                           std::size_t stride)
 {
+    if (m_ids.empty()) {
+        m_ids.assign(ids.begin(), ids.end());
+        m_bytes.assign(values.begin(), values.end());
+        return;
+    }
     const Ids merged = united(m_ids, ids);
     std::vector<std::byte> bytes(merged.size() * stride);
     std::size_t known = 0;
@@ -66,17 +72,27 @@ ColumnDelta FirstTouch::changes(ColumnId column, const Population& population) c
 {
     const std::size_t stride = columnInfo(column).stride;
     const std::vector<std::byte> now = population.values(column, m_ids);
+    std::vector<std::size_t> changed;
+    changed.reserve(m_ids.size());
+    withStride(stride, [&](auto width) {
+        for (std::size_t i = 0; i < m_ids.size(); ++i) {
+            if (std::memcmp(&m_bytes[i * width], &now[i * width], width) != 0) {
+                changed.push_back(i);
+            }
+        }
+    });
     ColumnDelta delta;
     delta.column = column;
-    for (std::size_t i = 0; i < m_ids.size(); ++i) {
-        const std::byte* before = &m_bytes[i * stride];
-        const std::byte* after = &now[i * stride];
-        if (std::memcmp(before, after, stride) != 0) {
-            delta.ids.push_back(m_ids[i]);
-            delta.before.insert(delta.before.end(), before, before + stride);
-            delta.after.insert(delta.after.end(), after, after + stride);
+    delta.ids.resize(changed.size());
+    delta.before.resize(changed.size() * stride);
+    delta.after.resize(changed.size() * stride);
+    withStride(stride, [&](auto width) {
+        for (std::size_t i = 0; i < changed.size(); ++i) {
+            delta.ids[i] = m_ids[changed[i]];
+            std::memcpy(&delta.before[i * width], &m_bytes[changed[i] * width], width);
+            std::memcpy(&delta.after[i * width], &now[changed[i] * width], width);
         }
-    }
+    });
     keepOnceIfUniform(delta.before, stride);
     keepOnceIfUniform(delta.after, stride);
     return delta;

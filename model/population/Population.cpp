@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "model/population/Properties.h"
+#include "model/population/Strides.h"
 
 namespace crowd::model {
 
@@ -166,13 +167,19 @@ IndividualRows Population::rows(std::span<const IndividualId> ids) const
 std::vector<std::byte> Population::values(ColumnId column, std::span<const IndividualId> ids) const
 {
     const std::size_t stride = columnInfo(column).stride;
-    std::vector<std::byte> copied(ids.size() * stride);
-    const std::byte* source = columnBytes(column).data();
-    std::byte* to = copied.data();
-    for (const std::size_t row : rowsOf(ids)) {
-        std::memcpy(to, source + row * stride, stride);
-        to += stride;
+    const std::span<const std::byte> source = columnBytes(column);
+    if (ids.size() == size()) { // all of them
+        assert(std::ranges::equal(ids, *m_ids));
+        return {source.begin(), source.end()};
     }
+    std::vector<std::byte> copied(ids.size() * stride);
+    withStride(stride, [&](auto width) {
+        std::byte* to = copied.data();
+        for (const std::size_t row : rowsOf(ids)) {
+            std::memcpy(to, source.data() + row * width, width);
+            to += width;
+        }
+    });
     return copied;
 }
 
@@ -182,13 +189,21 @@ void Population::setValues(ColumnId column, std::span<const IndividualId> ids,
     const std::size_t stride = columnInfo(column).stride;
     const bool isUniform = bytes.size() == stride;
     assert(isUniform || bytes.size() == ids.size() * stride);
-    const std::vector<std::size_t> touched = rowsOf(ids);
-    std::byte* target = writable(column).data();
-    const std::byte* from = bytes.data();
-    for (const std::size_t row : touched) {
-        std::memcpy(target + row * stride, from, stride);
-        from += isUniform ? 0 : stride;
+    if (ids.size() == size() && bytes.size() > stride) { // all of them
+        assert(std::ranges::equal(ids, *m_ids));
+        std::ranges::copy(bytes, writable(column).begin());
+        stampBlocks();
+        return;
     }
+    const std::vector<std::size_t> touched = rowsOf(ids);
+    withStride(stride, [&](auto width) {
+        std::byte* target = writable(column).data();
+        const std::byte* from = bytes.data();
+        for (const std::size_t row : touched) {
+            std::memcpy(target + row * width, from, width);
+            from += isUniform ? std::size_t{0} : std::size_t{width};
+        }
+    });
     stampRows(std::span<const std::size_t>(touched));
 }
 
@@ -202,6 +217,9 @@ void Population::stampRows(std::span<const Row> rows)
 {
     if (rows.empty()) {
         return;
+    }
+    if (rows.size() >= size()) {
+        return stampBlocks();
     }
     m_version = nextVersion();
     std::vector<std::uint64_t>& versions = m_blockVersions.writable();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstring>
-#include <functional>
 #include <map>
 #include <set>
 
@@ -114,10 +113,9 @@ public:
 
 private:
     using Value = std::span<const std::byte>;
-    /// What somebody gets; an empty one: he keeps his.
-    using ValueFor = std::function<Value(const Pair&)>;
-
     void pairUp(const std::vector<IndividualId>* ids);
+    /// valueFor(pair): what somebody gets; an empty one: he keeps his.
+    template<class ValueFor>
     void write(ColumnId column, const ValueFor& valueFor);
     void writePlain(ColumnId column);
     void writeTemplates();
@@ -168,6 +166,7 @@ void Recall::pairUp(const std::vector<IndividualId>* ids)
     }
 }
 
+template<class ValueFor>
 void Recall::write(ColumnId column, const ValueFor& valueFor)
 {
     ByteChange change(people(), column);
