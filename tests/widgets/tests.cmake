@@ -17,6 +17,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_IndividualDock
     tst_KeepPose
     tst_LabelLayout
+    tst_LastFolder
     tst_Navigation
     tst_PathDrawing
     tst_PeopleMarks

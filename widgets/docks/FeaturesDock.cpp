@@ -22,6 +22,7 @@
 #include "widgets/commands/FeatureCommands.h"
 #include "widgets/docks/FeaturePreview.h"
 #include "widgets/docks/FieldForm.h"
+#include "widgets/docks/LastFolder.h"
 #include "widgets/state/FeatureTexts.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/theme/Icons.h"
@@ -30,7 +31,8 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr int kFeatureIcon = 20;  ///< logical pixels
+constexpr int kFeatureIcon = 20; ///< logical pixels
+const QString kFeatureFolder = QStringLiteral("features/folder");
 constexpr int kFeatureRows = 12;  ///< seen at once
 constexpr int kRoomBelowRows = 6; ///< logical pixels
 constexpr int kFeaturesRebuildMs = 30;
@@ -464,12 +466,14 @@ void FeaturesDock::exportShown()
     }
     const std::uint8_t id = shown->id;
     const QString ending = QLatin1Char('.') + QLatin1String(model::kFeatureFileEnding);
-    QString path = QFileDialog::getSaveFileName(this, tr("Save the Feature"),
-                                                featureText(shown->name) + ending,
-                                                tr("Features (*%1)").arg(ending));
+    QString path = QFileDialog::getSaveFileName(
+        this, tr("Save the Feature"),
+        inLastFolder(kFeatureFolder, m_state.document().path(), featureText(shown->name) + ending),
+        tr("Features (*%1)").arg(ending));
     if (path.isEmpty()) {
         return;
     }
+    rememberFolder(kFeatureFolder, path);
     path += path.endsWith(ending) ? QString() : ending;
     const auto saved = exportKind(m_state, id, path);
     m_state.showStatus(
@@ -481,11 +485,12 @@ void FeaturesDock::importFile()
 {
     keepChange();
     const QString path = QFileDialog::getOpenFileName(
-        this, tr("Take Features"), {},
+        this, tr("Take Features"), inLastFolder(kFeatureFolder, m_state.document().path(), {}),
         tr("Features (*%1)").arg(QLatin1Char('.') + QLatin1String(model::kFeatureFileEnding)));
     if (path.isEmpty()) {
         return;
     }
+    rememberFolder(kFeatureFolder, path);
     const auto taken = importKinds(m_state, path);
     m_state.showStatus(taken ? tr("Features taken from %1").arg(path)
                              : model::translated(taken.error().said));

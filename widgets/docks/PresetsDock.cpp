@@ -12,6 +12,7 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "model/base/Translated.h"
+#include "widgets/docks/LastFolder.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
@@ -19,6 +20,7 @@ namespace crowd::widgets {
 namespace {
 
 constexpr int kPresetIcon = 20; ///< logical pixels
+const QString kPresetFolder = QStringLiteral("presets/folder");
 
 QString presetFilter()
 {
@@ -193,9 +195,11 @@ void PresetsDock::showMenu(const QPoint& position)
 
 void PresetsDock::importFiles()
 {
-    const QStringList files =
-        QFileDialog::getOpenFileNames(this, tr("Take Presets"), {}, presetFilter());
+    const QStringList files = QFileDialog::getOpenFileNames(
+        this, tr("Take Presets"), inLastFolder(kPresetFolder, m_state.document().path(), {}),
+        presetFilter());
     for (const QString& file : files) {
+        rememberFolder(kPresetFolder, file);
         const auto taken = m_presets.importFile(file);
         if (!taken) {
             say(taken.error());
@@ -206,8 +210,11 @@ void PresetsDock::importFiles()
 void PresetsDock::exportTo(const QString& name)
 {
     const QString path = QFileDialog::getSaveFileName(
-        this, tr("Save Preset"), name + QStringLiteral(".brush"), presetFilter());
+        this, tr("Save Preset"),
+        inLastFolder(kPresetFolder, m_state.document().path(), name + QStringLiteral(".brush")),
+        presetFilter());
     if (!path.isEmpty()) {
+        rememberFolder(kPresetFolder, path);
         say(m_presets.exportFile(name, path));
     }
 }
