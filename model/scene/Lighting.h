@@ -38,8 +38,9 @@ struct Lighting
     glm::vec3 skyHorizon{0.80F, 0.87F, 0.93F};
     glm::vec3 ground{0.58F, 0.57F, 0.53F};
     bool showGroundGrid = true;
-    float haze = 0.0F;           ///< share of what is a hundred metres away that the air hides
-    float exposureStops = 0.0F;  ///< each doubles the brightness
+    float haze = 0.0F;          ///< share of what is a hundred metres away that the air hides
+    float hazeHeight = 0.0F;    ///< metres above 0 where a third of it is left; 0: everywhere alike
+    float exposureStops = 0.0F; ///< each doubles the brightness
     float whiteKelvin = 6500.0F; ///< the light that looks white
     ToneMap toneMap = ToneMap::None;
     std::string unknownMembers; ///< see Scene::unknownMembers
@@ -187,6 +188,21 @@ constexpr auto Lighting::fields()
                          .decimals = 0,
                          .shownScale = 100.0,
                          .section = QT_TRANSLATE_NOOP("Fields", "Air and Exposure")}),
+        field(&S::hazeHeight,
+              {.key = "hazeHeight",
+               .label = QT_TRANSLATE_NOOP("Fields", "Lies low, up to"),
+               .tip = QT_TRANSLATE_NOOP("Fields", "The height above the ground at which a third of "
+                                                  "it is left, as of mist over a square; 0: it is "
+                                                  "everywhere alike"),
+               .doc = "metres above 0 where a third of it is left, as of mist; 0: it is everywhere "
+                      "alike",
+               .unit = QT_TRANSLATE_NOOP("Fields", " m"),
+               .high = 10000.0,
+               .sliderLow = 0.0,
+               .sliderHigh = 20.0,
+               .step = 0.5,
+               .decimals = 1})
+            .when([](const S& s, const C&) { return s.haze > 0.0F; }),
         field(&S::exposureStops,
               {.key = "exposure",
                .label = QT_TRANSLATE_NOOP("Fields", "Exposure"),

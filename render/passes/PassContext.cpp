@@ -19,6 +19,7 @@ void PassContext::setCommon(ShaderProgram& program) const
     if (style.tone.hazePerMetre > 0.0F) {
         program.set("eye", input.view.camera().position);
         program.set("hazePerMetre", style.tone.hazePerMetre);
+        program.set("hazeHeight", style.tone.hazeHeight);
         program.set("hazeColor", style.light.horizon);
     }
     if (!style.lights.empty()) {

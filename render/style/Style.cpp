@@ -69,7 +69,7 @@ Style Style::of(const RenderInput& input)
     if (!style.lights.empty()) {
         style.surfaceDefines += "LIGHTS=" + std::to_string(style.lights.size()) + ' ';
     }
-    style.surfaceDefines += style.tone.hazePerMetre > 0.0F ? "HAZY " : "";
+    style.surfaceDefines += style.tone.hazeDefines();
     style.surfaceDefines += style.tone.defines();
     style.clearColor = style.hasSky ? style.tone.of(style.light.horizon)
                                     : model::linearFromSrgb(glm::vec3(input.background));

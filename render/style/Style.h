@@ -19,10 +19,12 @@ struct Tone
     glm::vec3 gain{1.0F};      ///< exposure and white balance
     bool isFilmic = false;     ///< else what is too bright is white
     float hazePerMetre = 0.0F; ///< as exp(-haze * metres); towards the colour of the horizon
+    float hazeHeight = 0.0F;   ///< metres up to where it is thinner by e; 0: everywhere alike
     /// Whether it leaves colours as they are.
     [[nodiscard]] bool isNeutral() const { return gain == glm::vec3(1.0F) && !isFilmic; }
     [[nodiscard]] glm::vec3 of(const glm::vec3& linear) const; ///< as the shaders do it
     [[nodiscard]] std::string defines() const;                 ///< of shaders, but for the haze
+    [[nodiscard]] std::string hazeDefines() const;
     [[nodiscard]] static Tone from(const model::Lighting& lighting);
 };
 

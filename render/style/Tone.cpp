@@ -57,12 +57,18 @@ Tone Tone::from(const model::Lighting& lighting)
     tone.gain *= lighting.exposureStops != 0.0F ? std::exp2(lighting.exposureStops) : 1.0F;
     tone.isFilmic = lighting.toneMap == model::ToneMap::Filmic;
     tone.hazePerMetre = lighting.haze > 0.0F ? -std::log(1.0F - lighting.haze) / 100.0F : 0.0F;
+    tone.hazeHeight = lighting.hazeHeight;
     return tone;
 }
 
 std::string Tone::defines() const
 {
     return isNeutral() ? "" : isFilmic ? "TONED FILMIC " : "TONED ";
+}
+
+std::string Tone::hazeDefines() const
+{
+    return hazePerMetre <= 0.0F ? "" : hazeHeight > 0.0F ? "HAZY LOW_HAZE " : "HAZY ";
 }
 
 glm::vec3 Tone::of(const glm::vec3& linear) const

@@ -2,11 +2,27 @@
 #ifdef HAZY
 uniform vec3 eye;
 uniform float hazePerMetre;
+#ifdef LOW_HAZE
+uniform float hazeHeight; // metres up to where it is thinner by e
+
+// How dense it is on the way between two heights, on average: it thins exponentially.
+float hazeBetween(float from, float to)
+{
+    vec2 at = max(vec2(from, to) / hazeHeight, -1.0);
+    vec2 dense = exp(-at);
+    float rise = at.y - at.x;
+    return abs(rise) > 0.001 ? (dense.x - dense.y) / rise : dense.x;
+}
+#endif
 
 // What the air hides of something there.
 float hazeAt(vec3 world)
 {
-    return 1.0 - exp(-hazePerMetre * distance(world, eye));
+    float way = distance(world, eye);
+#ifdef LOW_HAZE
+    way *= hazeBetween(eye.y, world.y);
+#endif
+    return 1.0 - exp(-hazePerMetre * way);
 }
 #endif
 #ifdef LIGHTS

@@ -2,15 +2,17 @@ in vec4 color;
 #ifdef CARTOON
 in float level;
 #endif
-#ifdef HAZY
+#if defined(HAZY) && !defined(LOW_HAZE)
 in float hazed;
 #endif
 #ifdef SHADOWED
 in vec4 shadowed;
 #endif
+#if defined(LIGHTS) || defined(LOW_HAZE)
+in vec3 worldPlace;
+#endif
 #ifdef LIGHTS
 in vec3 surface;
-in vec3 worldPlace;
 in vec3 worldNormal;
 #endif
 #ifdef TEXTURED
@@ -60,7 +62,9 @@ void main()
     result.rgb += glow;
 #endif
 #endif
-#ifdef HAZY
+#ifdef LOW_HAZE
+    result.rgb = mix(result.rgb, hazeColor, hazeAt(worldPlace)); // walls have few corners
+#elif defined(HAZY)
     result.rgb = mix(result.rgb, hazeColor, hazed);
 #endif
     result.rgb = toned(result.rgb);

@@ -16,7 +16,7 @@ uniform vec3 paint; // of all stages, whatever they are made of
 uniform vec3 uvRowU;
 uniform vec3 uvRowV;
 
-#ifdef HAZY
+#if defined(HAZY) && !defined(LOW_HAZE)
 out float hazed; // share that the air hides
 #endif
 #ifdef CARTOON
@@ -26,9 +26,11 @@ out vec4 color;
 #ifdef SHADOWED
 out vec4 shadowed;
 #endif
+#if defined(LIGHTS) || defined(LOW_HAZE)
+out vec3 worldPlace;
+#endif
 #ifdef LIGHTS
 out vec3 surface; // unlit
-out vec3 worldPlace;
 out vec3 worldNormal;
 #endif
 #ifdef TEXTURED
@@ -45,7 +47,7 @@ void main()
 {
     vec4 world = worldFromStage * vec4(position, 1.0);
     gl_Position = viewProjection * world;
-#ifdef HAZY
+#if defined(HAZY) && !defined(LOW_HAZE)
     hazed = hazeAt(world.xyz);
 #endif
     vec3 n = normalize(mat3(worldFromStage) * normal);
@@ -62,9 +64,11 @@ void main()
 #ifdef SHADOWED
     shadowed = shadowedOf(world.xyz, n, own, vec3(0.0));
 #endif
+#if defined(LIGHTS) || defined(LOW_HAZE)
+    worldPlace = world.xyz;
+#endif
 #ifdef LIGHTS
     surface = base.rgb * (1.0 - own);
-    worldPlace = world.xyz;
     worldNormal = n;
 #endif
 #ifdef CARTOON

@@ -22,6 +22,7 @@ private Q_SLOTS:
     void initTestCase() { open(); }
     void cleanupTestCase() { m_renderer->destroy(); }
     void hazeHidesWhatIsFar();
+    void hazeCanLieLow();
     void aStopDoublesTheLight();
     void whiteIsWhatIsSaid();
     void filmKeepsHighlights();
@@ -67,6 +68,43 @@ void TestAirAndTone::hazeHidesWhatIsFar()
     const float hidden = 1.0F - std::pow(0.1F, 0.1F);
     const glm::vec3 wanted = glm::mix(clear, glm::vec3(1.0F, 0.0F, 0.0F), hidden);
     QVERIFY(std::abs(middle().x - wanted.x) < 0.02F && std::abs(middle().y - wanted.y) < 0.02F);
+}
+
+/// From above one looks through little of it; before a wall it thins as it should, though a wall
+/// has no corners on half its height.
+void TestAirAndTone::hazeCanLieLow()
+{
+    constexpr float kHeight = 2.0F;
+    // The mean of exp(-y / height) between two heights, times the way.
+    const auto hidden = [](float from, float to, float way) {
+        const float rise = (to - from) / kHeight;
+        const float mean = (std::exp(-from / kHeight) - std::exp(-to / kHeight)) / rise;
+        return 1.0F - std::pow(0.1F, way * mean / 100.0F);
+    };
+    render::RenderInput input = ground();
+    input.lighting.skyHorizon = {1.0F, 0.0F, 0.0F};
+    draw(input);
+    const glm::vec3 clear = middle();
+    input.lighting.haze = 0.9F;
+    input.lighting.hazeHeight = kHeight;
+    draw(input);
+    const float above = glm::mix(clear.x, 1.0F, hidden(10.0F, 0.0F, 10.0F));
+    QVERIFY2(std::abs(middle().x - above) < 0.01F, qPrintable(QString::number(middle().x)));
+
+    model::StageEntry wall;
+    auto stage = makeSheet({{{-40, 0, -40}, {40, 0, -40}, {40, 40, -40}, {-40, 40, -40}}});
+    stage->materials[0].baseColor = {0.0F, 0.0F, 0.0F, 1.0F};
+    wall.asset = stage;
+    const auto camera = model::Camera::lookingAt({0.0F, 1.0F, 0.0F}, {0.0F, 6.0F, -40.0F});
+    input.view = model::View(camera, glm::vec2(kPixels));
+    input.stages = {&wall, 1};
+    draw(input);
+    const float way = glm::length(glm::vec3(0.0F, 5.0F, 40.0F));
+    const float wanted = hidden(1.0F, 6.0F, way);
+    QVERIFY2(std::abs(middle().x - wanted) < 0.03F,
+             qPrintable(QStringLiteral("%1, not %2").arg(middle().x).arg(wanted)));
+    QVERIFY(linearAt(kPixels / 2, 4).x < wanted - 0.02F);                // higher up the wall
+    QVERIFY(linearAt(kPixels / 2, kPixels * 6 / 10).x > wanted + 0.02F); // lower down
 }
 
 void TestAirAndTone::aStopDoublesTheLight()
