@@ -46,8 +46,7 @@ struct Stagger
             field(&Stagger::order, {.key = "order",
                                     .label = QT_TRANSLATE_NOOP("Fields", "Order"),
                                     .doc = "who begins when",
-                                    .choices = kOrders})
-                .when(&isStaggered),
+                                    .choices = kOrders}),
             field(&Stagger::point, {.key = "point",
                                     .label = QT_TRANSLATE_NOOP("Fields", "From"),
                                     .doc = "metres; of `distance`",

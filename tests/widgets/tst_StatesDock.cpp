@@ -142,6 +142,7 @@ private Q_SLOTS:
     void takesItsTimeWhileItPlays();
     void whatIsPaintedNextIsSeenAtOnce();
     void whileNothingPlaysItIsAtOnce();
+    void onlyForWhoIsSelected();
     void onlyInThisRun();
     void howItComesIsRemembered();
     void theWaveBeginsWhereOneClicks();
@@ -525,6 +526,29 @@ void TestStatesDock::whileNothingPlaysItIsAtOnce()
     QCOMPARE(desk.shownHeight(0), 1.0F);
     QCOMPARE(desk.document.scene().population.column(model::columns::height)[0], 1.0F);
     QVERIFY(!desk.state.session().isRunning());
+}
+
+/// Also by keys, in the run.
+void TestStatesDock::onlyForWhoIsSelected()
+{
+    StatesDesk desk;
+    QVERIFY(desk.isReady());
+    desk.keepSmallThenGrow();
+    desk.dock->findChild<QCheckBox*>(QStringLiteral("recallSelected"))->setChecked(true);
+    desk.press("recallState");
+    QVERIFY2(desk.said.contains(QStringLiteral("Nobody is selected")), qPrintable(desk.said));
+    QCOMPARE(desk.document.scene().population.column(model::columns::height)[1], 2.0F);
+    const std::vector<model::IndividualId> one{desk.document.scene().population.ids()[1]};
+    desk.state.selection().set(one);
+    desk.press("recallState");
+    const auto heights = desk.document.scene().population.column(model::columns::height);
+    QCOMPARE(heights[1], 1.0F);
+    QCOMPARE(heights[0], 2.0F);
+    desk.document.undoStack().undo();
+    desk.state.transport().setPlaying(true);
+    recallStateOf(desk.state, desk.document.scene().states.front().id, RecallInto::Run);
+    QTRY_VERIFY((desk.play(0.02), desk.shownHeight(1) == 1.0F));
+    QCOMPARE(desk.shownHeight(0), 2.0F);
 }
 
 void TestStatesDock::onlyInThisRun()

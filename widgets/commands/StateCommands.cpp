@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -68,6 +69,18 @@ void say(EditorState& state, const QString& name, const model::StateRecall& reca
     state.showStatus(said.join(QLatin1Char(' ')));
 }
 
+/// Those a state is recalled for; nothing: all of it.
+using People = std::optional<std::vector<model::IndividualId>>;
+
+People recallsFor(const EditorState& state)
+{
+    if (!state.recall().isForSelected) {
+        return std::nullopt;
+    }
+    const auto ids = state.selection().ids();
+    return std::vector<model::IndividualId>(ids.begin(), ids.end());
+}
+
 /// Along the view means away from where one looks from.
 model::RecallTiming timingNow(const EditorState& state)
 {
@@ -77,13 +90,14 @@ model::RecallTiming timingNow(const EditorState& state)
     return timing;
 }
 
-void recallInRun(EditorState& state, const State& kept)
+void recallInRun(EditorState& state, const State& kept, const People& only)
 {
-    const model::ChangeOver change{kept.id, peopleOf(state.scene(), kept), kept.columns,
-                                   timingNow(state)};
+    const model::ChangeOver change{kept.id, peopleOf(state.scene(), kept, only ? &*only : nullptr),
+                                   kept.columns, timingNow(state)};
     if (change.ids.empty()) {
-        state.showStatus(
-            StatesText::tr("“%1”: none of its characters is there").arg(quoted(kept.name)));
+        state.showStatus((only ? StatesText::tr("“%1”: none of its characters is selected")
+                               : StatesText::tr("“%1”: none of its characters is there"))
+                             .arg(quoted(kept.name)));
     } else if (state.session().recall(change)) {
         state.noteRecallInRun(quoted(kept.name));
         state.showStatus(StatesText::tr("“%1” for %n characters, in this run alone: Stop gives "
@@ -165,14 +179,21 @@ void recallStateOf(EditorState& state, model::StateId id, RecallInto into)
     }
     const State kept = *found;
     state.chooseState(id);
+    const People only = recallsFor(state);
+    if (only && only->empty()) {
+        state.showStatus(StatesText::tr("Nobody is selected for whom “%1” could be recalled.")
+                             .arg(quoted(kept.name)));
+        return;
+    }
     if (into == RecallInto::Run && state.transport().isPlaying()) {
-        recallInRun(state, kept);
+        recallInRun(state, kept, only);
         return;
     }
     model::StateRecall recall;
     const auto outcome = state.document().edit(
         StatesText::tr("Recall “%1”").arg(quoted(kept.name)), [&](model::SceneEdit& edit) {
-            recall = recallState(edit, kept, kept.columns, nullptr, timingNow(state));
+            recall =
+                recallState(edit, kept, kept.columns, only ? &*only : nullptr, timingNow(state));
         });
     if (outcome != model::EditOutcome::Refused) {
         say(state, quoted(kept.name), recall);

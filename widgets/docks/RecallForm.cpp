@@ -39,8 +39,7 @@ void restoreRecall(RecallSettings& recall)
 
 } // namespace
 
-RecallForm::RecallForm(EditorState& state, QWidget* parent)
-    : QWidget(parent), m_state(state), m_isForRun(new QCheckBox(tr("Only in this run"), this))
+RecallForm::RecallForm(EditorState& state, QWidget* parent) : QWidget(parent), m_state(state)
 {
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
@@ -56,12 +55,14 @@ RecallForm::RecallForm(EditorState& state, QWidget* parent)
                 if (isOneOf<model::SceneReplaced>(change)) {
                     RecallSettings now = m_state.recall();
                     now.timing.stagger.point = {}; // it was of another scene
+                    now.isForSelected = false;     // nobody is there
                     m_state.setRecall(now);
                 }
             });
     connect(&m_state, &EditorState::recallChanged, this, [this] {
         m_timing->refresh();
         m_isForRun->setChecked(m_state.recall().isForRunAlone);
+        m_isForSelected->setChecked(m_state.recall().isForSelected);
     });
 }
 
@@ -85,16 +86,27 @@ void RecallForm::addTiming()
 
 void RecallForm::addReach()
 {
-    m_isForRun->setObjectName(QStringLiteral("recallInRun"));
+    m_isForSelected = addTick("recallSelected", &RecallSettings::isForSelected);
+    m_isForSelected->setText(tr("Only who is selected"));
+    m_isForSelected->setToolTip(tr("Others of the state stay as they are, also when keys recall."));
+    m_isForRun = addTick("recallInRun", &RecallSettings::isForRunAlone);
+    m_isForRun->setText(tr("Only in this run"));
     m_isForRun->setToolTip(tr("While it plays the scene stays as it is, and Stop gives it back. "
                               "The keys always do so."));
-    m_isForRun->setChecked(m_state.recall().isForRunAlone);
-    connect(m_isForRun, &QCheckBox::toggled, this, [this](bool isOn) {
+}
+
+QCheckBox* RecallForm::addTick(const char* name, bool RecallSettings::*member)
+{
+    auto* tick = new QCheckBox(this);
+    tick->setObjectName(QLatin1String(name));
+    tick->setChecked(m_state.recall().*member);
+    connect(tick, &QCheckBox::toggled, this, [this, member](bool isOn) {
         RecallSettings now = m_state.recall();
-        now.isForRunAlone = isOn;
+        now.*member = isOn;
         keep(now);
     });
-    layout()->addWidget(m_isForRun);
+    layout()->addWidget(tick);
+    return tick;
 }
 
 void RecallForm::keep(const RecallSettings& recall)

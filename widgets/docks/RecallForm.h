@@ -22,11 +22,13 @@ public:
 private:
     void addTiming();
     void addReach();
+    [[nodiscard]] QCheckBox* addTick(const char* name, bool RecallSettings::*member);
     void keep(const RecallSettings& recall);
 
     EditorState& m_state;
     FieldForm* m_timing = nullptr;
-    QCheckBox* m_isForRun;
+    QCheckBox* m_isForRun = nullptr;
+    QCheckBox* m_isForSelected = nullptr;
 };
 
 } // namespace crowd::widgets

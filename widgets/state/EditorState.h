@@ -56,6 +56,7 @@ struct ViewOptions
     bool showWalkable = false;   ///< where people can walk, as a colour on the ground
     bool selectsByLasso = false; ///< the select tool; else by a rectangle
     render::Look look = render::Look::Lit;
+    std::string property = "template"; ///< of the look "property", as model::paintBy() takes it
     ButtonMapping buttons = ButtonMapping::Standard;
     PictureQuality quality = PictureQuality::Automatic;
     friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
@@ -81,6 +82,7 @@ struct RecallSettings
 {
     model::RecallTiming timing; ///< the heading is the view's at that moment
     bool isForRunAlone = false; ///< from the panel, while it plays
+    bool isForSelected = false; ///< for who of the state is selected, and nobody else
     friend bool operator==(const RecallSettings&, const RecallSettings&) = default;
 };
 

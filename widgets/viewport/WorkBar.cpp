@@ -36,6 +36,7 @@ WorkBar::WorkBar(QWidget* parent)
 {
     setObjectName(QStringLiteral("workBar"));
     setStyleSheet(kStyle);
+    setAttribute(Qt::WA_NoMousePropagation); // else a click beside the button would paint
     m_text->setTextFormat(Qt::PlainText);
     m_bar->setTextVisible(false);
     m_bar->setFixedSize(kBarWidth, kBarHeight);
