@@ -14,7 +14,16 @@
 /// editor remembers follow from the table.
 namespace crowd::render {
 
-enum class Look : std::uint8_t { Plain, Lit, Cartoon, Clay, Silhouettes, Blueprint, Wireframe };
+enum class Look : std::uint8_t {
+    Plain,
+    Lit,
+    Cartoon,
+    Clay,
+    Silhouettes,
+    Blueprint,
+    Wireframe,
+    Property
+};
 
 /// One colour for all of a kind, whatever their materials are. sRGB, 0xRRGGBB.
 struct LookPaint
@@ -38,12 +47,15 @@ struct LookInfo
     float inkPixels;     ///< width of lines around things and along creases, logical; 0: none
     const LookPaint* paint = nullptr; ///< null: the colours of the scene
     bool isWire = false;              ///< edges of triangles instead of surfaces
+    /// The frame has a colour for each (model::paintedFrame()), in a light that leaves it as it is.
+    bool isByProperty = false;
 };
 
 inline constexpr LookPaint kClayPaint{0xC9B8A6, 0xB4B1AC, 0xA9A7A3, 0xD3D6D8, 0x000000};
 inline constexpr LookPaint kSilhouettesPaint{0x101114, 0x9AA0A6, 0xD9DCDF, 0xF2F3F4, 0x000000};
 inline constexpr LookPaint kBlueprintPaint{0x2A5DA8, 0x1D4788, 0x173B75, 0x14356B, 0xE8F0FF};
 inline constexpr LookPaint kWirePaint{0xF2B45A, 0x7C8794, 0x23262B, 0x1B1D21, 0x000000};
+inline constexpr LookPaint kPropertyPaint{0xFFFFFF, 0xB9BCC0, 0xA6A9AD, 0xDDE1E4, 0x000000};
 
 inline constexpr std::array kLooks{
     LookInfo{Look::Plain, "plain", QT_TRANSLATE_NOOP("Looks", "&Plain Colours"),
@@ -64,7 +76,11 @@ inline constexpr std::array kLooks{
              1.5F, &kBlueprintPaint},
     LookInfo{Look::Wireframe, "wireframe", QT_TRANSLATE_NOOP("Looks", "&Wireframe"),
              QT_TRANSLATE_NOOP("Looks", "Edges of the triangles that are drawn"), "", false, 0.0F,
-             &kWirePaint, true}};
+             &kWirePaint, true},
+    LookInfo{Look::Property, "property", QT_TRANSLATE_NOOP("Looks", "By P&roperty"),
+             QT_TRANSLATE_NOOP("Looks", "A colour for each template, group, mood, density and "
+                                        "more, with a legend"),
+             "LIT OWN_COLOUR ", true, 0.0F, &kPropertyPaint, false, true}};
 
 namespace detail {
 

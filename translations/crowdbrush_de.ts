@@ -3468,6 +3468,14 @@
         <source>They bear none of it any more: what it did to them is as their template has it</source>
         <translation>Sie tragen nichts davon mehr: Was es an ihnen bewirkt hat, ist wieder wie in ihrer Vorlage</translation>
     </message>
+    <message>
+        <source>Lies low, up to</source>
+        <translation>Liegt tief, bis</translation>
+    </message>
+    <message>
+        <source>The height above the ground at which a third of it is left, as of mist over a square; 0: it is everywhere alike</source>
+        <translation>Die Höhe über dem Boden, in der noch ein Drittel davon übrig ist, wie bei Nebel über einem Platz; 0: überall gleich</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -3694,6 +3702,14 @@
     <message>
         <source>Edges of the triangles that are drawn</source>
         <translation>Kanten der Dreiecke, die gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>By P&amp;roperty</source>
+        <translation>&amp;Nach Eigenschaft</translation>
+    </message>
+    <message>
+        <source>A colour for each template, group, mood, density and more, with a legend</source>
+        <translation>Je eine Farbe für Vorlagen, Gruppen, Stimmungen, Dichte und mehr, mit Legende</translation>
     </message>
 </context>
 <context>
@@ -5177,6 +5193,10 @@
         <source>Rule &quot;%1&quot;: the light is not there. Choose another one.</source>
         <translation>Regel „%1“: Das Licht gibt es nicht. Wählen Sie ein anderes.</translation>
     </message>
+    <message>
+        <source>People cannot be coloured by “%1”. There are: %2.</source>
+        <translation>Nach „%1“ können Figuren nicht gefärbt werden. Es gibt: %2.</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -5295,6 +5315,37 @@
     <message>
         <source>Something is in between: characters walk %1 m around it.</source>
         <translation>Etwas steht dazwischen: Figuren gehen %1 m darum herum.</translation>
+    </message>
+</context>
+<context>
+    <name>Properties</name>
+    <message>
+        <source>Template</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>Animation</source>
+        <translation>Animation</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Walking speed</source>
+        <translation>Gehtempo</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
     </message>
 </context>
 <context>
@@ -7405,6 +7456,14 @@
     <message>
         <source>Keep “%1” anew</source>
         <translation>„%1“ neu merken</translation>
+    </message>
+    <message>
+        <source>“%1”: none of its characters is selected</source>
+        <translation>„%1“: keine seiner Figuren ist ausgewählt</translation>
+    </message>
+    <message>
+        <source>Nobody is selected for whom “%1” could be recalled.</source>
+        <translation>Niemand ist ausgewählt, für den „%1“ abgerufen werden könnte.</translation>
     </message>
 </context>
 <context>
@@ -10075,6 +10134,44 @@ Verworfen ist sie fort.</translation>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::PropertyLegend</name>
+    <message>
+        <source>What people are coloured by</source>
+        <translation>Wonach Figuren gefärbt sind</translation>
+    </message>
+    <message>
+        <source>Click: select them. Shift+click: select them as well.</source>
+        <translation>Klick: diese auswählen. Umschalt+Klick: auch diese auswählen.</translation>
+    </message>
+    <message>
+        <source>Nobody is there yet.</source>
+        <translation>Es ist noch niemand da.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Gruppe %1</translation>
+    </message>
+    <message>
+        <source>several</source>
+        <translation>mehrere</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ohne</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::RecallForm</name>
     <message>
         <source>Only in this run</source>
@@ -10087,6 +10184,14 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>While it plays the scene stays as it is, and Stop gives it back. The keys always do so.</source>
         <translation>Beim Abspielen bleibt die Szene, wie sie ist, und Anhalten gibt sie zurück. Die Tasten tun das immer.</translation>
+    </message>
+    <message>
+        <source>Only who is selected</source>
+        <translation>Nur die Ausgewählten</translation>
+    </message>
+    <message>
+        <source>Others of the state stay as they are, also when keys recall.</source>
+        <translation>Die anderen bleiben, wie sie sind, auch wenn mit Tasten abgerufen wird.</translation>
     </message>
 </context>
 <context>

@@ -3468,6 +3468,14 @@
         <source>They bear none of it any more: what it did to them is as their template has it</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Lies low, up to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The height above the ground at which a third of it is left, as of mist over a square; 0: it is everywhere alike</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -3693,6 +3701,14 @@
     </message>
     <message>
         <source>Edges of the triangles that are drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By P&amp;roperty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A colour for each template, group, mood, density and more, with a legend</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5177,6 +5193,10 @@
         <source>Rule &quot;%1&quot;: the light is not there. Choose another one.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>People cannot be coloured by “%1”. There are: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -5294,6 +5314,37 @@
     </message>
     <message>
         <source>Something is in between: characters walk %1 m around it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Properties</name>
+    <message>
+        <source>Template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Animation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walking speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Density</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7404,6 +7455,14 @@
     </message>
     <message>
         <source>Keep “%1” anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1”: none of its characters is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is selected for whom “%1” could be recalled.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10068,6 +10127,44 @@ Thrown away, it is gone.</source>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::PropertyLegend</name>
+    <message>
+        <source>What people are coloured by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: select them. Shift+click: select them as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is there yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>several</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::RecallForm</name>
     <message>
         <source>Only in this run</source>
@@ -10079,6 +10176,14 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>While it plays the scene stays as it is, and Stop gives it back. The keys always do so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only who is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Others of the state stay as they are, also when keys recall.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -49,6 +49,9 @@ void addRenderCommand(CLI::App& cli, RenderOptions& options, int& status)
     command->add_option("--time", options.time, "Seconds of the scene's time");
     command->add_option("--look", options.look, "How it is drawn: " + render::lookKeys())
         ->capture_default_str();
+    command->add_option("--by", options.by,
+                        "What people are coloured by: template, group, tag, clip, height, density, "
+                        "a property that is a number, or feature:KIND");
     command->add_option("--frames", options.frames, "Draw frames A-B");
     command->add_option("--fps", options.framesPerSecond, "Frames per second")
         ->capture_default_str();

@@ -14,6 +14,7 @@
 #include "app/pictures/PictureMaker.h"
 #include "behavior/session/SceneMotion.h"
 #include "model/project/LocateAssets.h"
+#include "model/view/PropertyPaint.h"
 
 namespace crowd::app {
 
@@ -45,7 +46,8 @@ class ScenePictures
 {
 public:
     ScenePictures(model::Scene scene, const model::Camera& camera, const RenderPlan& plan)
-        : m_scene(std::move(scene)), m_seats(m_scene.worldSeats()), m_motion(m_scene)
+        : m_scene(std::move(scene)), m_seats(m_scene.worldSeats()), m_motion(m_scene),
+          m_property(plan.property)
     {
         m_request.stages = m_scene.stages;
         m_request.seats = m_seats;
@@ -75,6 +77,9 @@ public:
             seconds, nullptr, [this, seconds](double done) { m_progress.tell(done, seconds); });
         m_progress.end();
         sayProblems();
+        if (render::lookInfo(m_request.look).isByProperty) {
+            m_request.frame = model::framePaintedBy(m_scene, *m_request.frame, m_property);
+        }
         if (auto drawn = m_maker->draw(m_request); !drawn) {
             return drawn;
         }
@@ -101,6 +106,7 @@ private:
     behavior::SceneMotion m_motion;
     model::KeyframeStore m_keyframes{std::size_t{2} << 30U};
     PictureRequest m_request;
+    std::string m_property; ///< of the look "property"
     std::set<std::string> m_said;
     SimulationProgress m_progress;
     std::unique_ptr<PictureMaker> m_maker;
@@ -145,6 +151,9 @@ int runRender(const RenderOptions& options)
     }
     if (auto complete = checkMissing(scene.value(), options.allowsMissing); !complete) {
         return fail(complete.error());
+    }
+    if (auto known = model::checkProperty(scene.value(), plan.value().property); !known) {
+        return fail(known.error(), kBadUsage);
     }
     InterruptGuard::install();
     ScenePictures pictures(std::move(scene).value(), camera.value(), plan.value());

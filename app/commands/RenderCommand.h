@@ -15,6 +15,7 @@ struct RenderOptions
     std::string size = "1280x720";
     double time = 0.0; ///< seconds of the transport; of frame 0 where several are drawn
     std::string look = "lit";
+    std::string by;     ///< property that people are coloured by; empty: as the look is
     std::string frames; ///< "A-B"
     double framesPerSecond = 30.0;
     bool allowsMissing = false; ///< draws without characters and stages that cannot be had

@@ -150,9 +150,16 @@ using SceneClass = pybind11::class_<ScriptScene, ScenePtr>;
                                         const std::optional<model::Stagger>& stagger,
                                         const py::object& ids,
                                         const std::optional<std::vector<std::string>>& columns);
+/// How a picture is drawn, as scripts say it.
+struct LookKey
+{
+    std::string look;
+    std::string by; ///< property that people are coloured by; empty: none
+};
+
 /// crowdbrush.Picture of the scene at a time, or of this frame.
 [[nodiscard]] py::object pictureOf(ScriptScene& scene, const glm::ivec2& size,
-                                   const CameraKey& camera, const std::string& look, double time,
+                                   const CameraKey& camera, const LookKey& look, double time,
                                    model::CrowdFramePtr frame, LongCall& call);
 
 /// What a class of ours takes is checked here: see the casters below.

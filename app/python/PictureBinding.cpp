@@ -13,6 +13,7 @@
 #include "app/python/ScriptEnvironment.h"
 #include "behavior/session/SceneMotion.h"
 #include "model/project/LocateAssets.h"
+#include "model/view/PropertyPaint.h"
 
 namespace crowd::app {
 
@@ -58,14 +59,25 @@ Camera makeCamera(const Point3& from, const Point3& at, float fovDegrees)
     return camera;
 }
 
-render::Look lookNamed(const std::string& name)
+/// `by` alone means the look that shows it.
+void chooseLook(ScriptPicture& picture, const Scene& scene, const LookKey& key)
 {
-    const auto look = render::lookOfKey(name);
+    const auto look = render::lookOfKey(key.look);
     if (!look) {
-        throw ScriptError("There is no look \"" + name + "\"; there are: " + render::lookKeys() +
-                          ".");
+        throw ScriptError("There is no look \"" + key.look +
+                          "\"; there are: " + render::lookKeys() + ".");
     }
-    return *look;
+    picture.look = *look;
+    if (key.by.empty()) {
+        return;
+    }
+    if (*look != render::Look::Lit && *look != render::Look::Property) {
+        throw ScriptError("by=\"" + key.by + "\" is of the look \"property\", not of look=\"" +
+                          key.look + "\": leave one of the two out.");
+    }
+    valueOrRaise(checkProperty(scene, key.by));
+    picture.look = render::Look::Property;
+    picture.property = key.by;
 }
 
 void refuseMissing(const Scene& scene)
@@ -84,7 +96,7 @@ void refuseMissing(const Scene& scene)
 }
 
 py::object picture(const ScenePtr& scene, int width, int height, const CameraKey& camera,
-                   double time, const std::string& look, bool allowsMissing,
+                   double time, const std::string& look, const std::string& by, bool allowsMissing,
                    const LongCall::Listener& progress)
 {
     if (!(std::abs(time) <= behavior::kMostSceneSeconds)) {
@@ -95,7 +107,7 @@ py::object picture(const ScenePtr& scene, int width, int height, const CameraKey
         refuseMissing(*scene->scene());
     }
     LongCall call(progress);
-    return pictureOf(*scene, {width, height}, camera, look, time, nullptr, call);
+    return pictureOf(*scene, {width, height}, camera, {look, by}, time, nullptr, call);
 }
 
 void savePicture(const FilePath& path, const py::array_t<std::uint8_t, py::array::c_style>& array)
@@ -225,7 +237,7 @@ void waitForPictures(const ScriptScene& scene)
 } // namespace
 
 py::object pictureOf(ScriptScene& scene, const glm::ivec2& size, const CameraKey& camera,
-                     const std::string& look, double time, CrowdFramePtr frame, LongCall& call)
+                     const LookKey& look, double time, CrowdFramePtr frame, LongCall& call)
 {
     constexpr int kMost = 16384;
     if (size.x < 1 || size.y < 1 || size.x > kMost || size.y > kMost) {
@@ -236,7 +248,7 @@ py::object pictureOf(ScriptScene& scene, const glm::ivec2& size, const CameraKey
     request.camera = cameraOf(scene, camera);
     request.seconds = time;
     request.frame = std::move(frame);
-    request.look = lookNamed(look);
+    chooseLook(request, *scene.scene(), look);
     constexpr double kSimulated = 0.9; // the rest is drawn
     request.patience = [&call](Waiting& waiting, const std::function<void()>& work) {
         mindingSignals(waiting.isCancelled, work,
@@ -255,12 +267,15 @@ void bindPictures(py::module_& module, SceneClass& scene)
 {
     bindCamera(module);
     bindPicture(module);
-    scene.def("render", &picture, py::arg("width"), py::arg("height"), py::kw_only(),
-              py::arg("camera") = CameraKey(), py::arg("time") = 0.0, py::arg("look") = "lit",
-              py::arg("allow_missing") = false, py::arg("progress") = py::none(),
-              "The picture as height × width × 4 uint8. Needs no display. time: seconds, at most a "
-              "week. Where a stage, or a character of whom there is somebody, could not be loaded, "
-              "it fails and says what is missing, unless allow_missing. " CROWD_PROGRESS_DOC);
+    scene.def(
+        "render", &picture, py::arg("width"), py::arg("height"), py::kw_only(),
+        py::arg("camera") = CameraKey(), py::arg("time") = 0.0, py::arg("look") = "lit",
+        py::arg("by") = "", py::arg("allow_missing") = false, py::arg("progress") = py::none(),
+        "The picture as height × width × 4 uint8. Needs no display. time: seconds, at most a "
+        "week. by: what people are coloured by, in the look \"property\": \"template\", "
+        "\"group\", \"tag\", \"clip\", \"height\", \"density\", a property that is a number, or "
+        "\"feature:KIND\". Where a stage, or a character of whom there is somebody, could not be "
+        "loaded, it fails and says what is missing, unless allow_missing. " CROWD_PROGRESS_DOC);
 }
 
 } // namespace crowd::app

@@ -7,6 +7,7 @@
 
 #include "app/python/ScriptScene.h"
 #include "behavior/session/SceneMotion.h"
+#include "model/view/PropertyPaint.h"
 
 namespace crowd::app {
 
@@ -132,6 +133,9 @@ Result<std::vector<std::uint8_t>> ScriptPictures::draw(ScriptScene& script,
     request.camera = camera.value();
     request.size = picture.size;
     request.look = picture.look;
+    if (render::lookInfo(picture.look).isByProperty) {
+        request.frame = framePaintedBy(*shown, *request.frame, picture.property);
+    }
     const auto drawn = m_maker->draw(request);
     std::vector<std::uint8_t> pixels = drawn ? m_maker->pixels() : std::vector<std::uint8_t>();
     m_maker->release(); // the next one may be wanted on another thread

@@ -41,6 +41,7 @@ struct ScriptPicture
     double seconds = 0.0;                ///< of the transport
     model::CrowdFramePtr frame;          ///< people; null: as the scene shows them at that time
     render::Look look = render::Look::Lit;
+    std::string property = "template"; ///< of the look "property"
     Patience patience = [](Waiting&, const std::function<void()>& work) { work(); };
 };
 

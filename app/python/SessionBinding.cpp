@@ -140,11 +140,12 @@ py::list takeLog(ScriptSession& session)
 }
 
 py::object pictureNow(ScriptSession& session, int width, int height, const CameraKey& camera,
-                      const std::string& look)
+                      const std::string& look, const std::string& by)
 {
     const CrowdFramePtr frame = frameOf(session);
     LongCall call({});
-    return pictureOf(*session.scene(), {width, height}, camera, look, frame->seconds, frame, call);
+    return pictureOf(*session.scene(), {width, height}, camera, {look, by}, frame->seconds, frame,
+                     call);
 }
 
 using SessionClass = py::class_<ScriptSession, std::shared_ptr<ScriptSession>>;
@@ -227,7 +228,7 @@ void bindPeople(SessionClass& session)
              "Where everybody is now becomes where the scene has them: one undo step. How many "
              "people stand or sit another way than before.")
         .def("render", &pictureNow, py::arg("width"), py::arg("height"), py::kw_only(),
-             py::arg("camera") = CameraKey(), py::arg("look") = "lit",
+             py::arg("camera") = CameraKey(), py::arg("look") = "lit", py::arg("by") = "",
              "As Scene.render, but as everybody is after the last step.");
 }
 

@@ -12,6 +12,7 @@
 #include "app/pictures/PictureMaker.h"
 #include "app/window/PictureDialog.h"
 #include "model/base/Translated.h"
+#include "model/view/PropertyPaint.h"
 
 namespace crowd::app {
 
@@ -116,6 +117,9 @@ void PictureController::draw(const QString& path, glm::ivec2 size, bool isTransp
     PictureJob job;
     job.path = path;
     job.frame = m_state.frame();
+    if (render::lookInfo(options.look).isByProperty) {
+        job.frame = model::framePaintedBy(m_state.scene(), *job.frame, options.property);
+    }
     job.stages = m_state.scene().stages;
     job.seats = m_state.scene().worldSeats();
     job.request.lighting = m_state.scene().lighting;

@@ -25,6 +25,7 @@ constexpr std::array kSwitches{Switch{"view/showGroundGrid", &ViewOptions::showG
                                Switch{"view/showWalkable", &ViewOptions::showWalkable},
                                Switch{"select/byLasso", &ViewOptions::selectsByLasso}};
 constexpr const char* kLookKey = "view/look";
+constexpr const char* kPropertyKey = "view/property";
 constexpr const char* kLitKey = "view/lit"; ///< before there were more looks than two
 
 void restore(ViewOptions& options)
@@ -38,6 +39,10 @@ void restore(ViewOptions& options)
     const QString key =
         settings.value(QLatin1String(kLookKey), QLatin1String(isLit ? "lit" : "plain")).toString();
     options.look = render::lookOfKey(key.toStdString()).value_or(options.look);
+    options.property =
+        settings.value(QLatin1String(kPropertyKey), QString::fromStdString(options.property))
+            .toString()
+            .toStdString();
 }
 
 void save(const ViewOptions& options)
@@ -47,6 +52,7 @@ void save(const ViewOptions& options)
         settings.setValue(QLatin1String(each.key), options.*each.member);
     }
     settings.setValue(QLatin1String(kLookKey), QLatin1String(render::lookInfo(options.look).key));
+    settings.setValue(QLatin1String(kPropertyKey), QString::fromStdString(options.property));
 }
 
 } // namespace
@@ -67,6 +73,7 @@ void resetView(widgets::EditorState& state)
         options.*each.member = fresh.*each.member;
     }
     options.look = fresh.look;
+    options.property = fresh.property;
     state.setViewOptions(options);
 }
 

@@ -28,6 +28,17 @@ glm::vec3 linearOf(std::uint32_t rgb)
     return model::linearFromSrgb(srgb * (1.0F / 255.0F));
 }
 
+/// White light from one side, just so much that shapes are seen.
+model::Lighting evenLight(const model::Lighting& scene)
+{
+    model::Lighting light;
+    light.sunColor = light.ambientColor = glm::vec3(1.0F);
+    light.sunStrength = 0.5F;
+    light.ambientStrength = 0.65F;
+    light.showGroundGrid = scene.showGroundGrid;
+    return light;
+}
+
 /// `skyShare`: of a bright sky that is seen at this hour.
 void usePaint(Style& style, const LookPaint& paint, float skyShare)
 {
@@ -43,9 +54,10 @@ void usePaint(Style& style, const LookPaint& paint, float skyShare)
 Style Style::of(const RenderInput& input)
 {
     const LookInfo& look = lookInfo(input.look);
+    const model::Lighting lighting = look.isByProperty ? evenLight(input.lighting) : input.lighting;
     Style style;
     style.surfaceDefines = look.defines;
-    style.light = LinearLight::from(input.lighting);
+    style.light = LinearLight::from(lighting);
     style.inkPixels = look.inkPixels;
     style.isWire = look.isWire;
     if (look.paint != nullptr) {
@@ -55,13 +67,15 @@ Style Style::of(const RenderInput& input)
     }
     style.hasSky = input.background.w <= 0.0F && !input.isTransparent;
     style.hasGround = input.showGround && !input.isTransparent;
-    style.hasGrid = input.lighting.showGroundGrid;
+    style.hasGrid = lighting.showGroundGrid;
     if (look.isLit) {
-        style.lights = placedLights(input.lights, input.frame.get());
-        style.tone = Tone::from(input.lighting);
+        if (!look.isByProperty) {
+            style.lights = placedLights(input.lights, input.frame.get());
+        }
+        style.tone = Tone::from(lighting);
         // Soft darkness is not drawn with ink.
         const bool isSoft = input.showShadows && look.inkPixels <= 0.0F;
-        style.occlusion = isSoft ? input.lighting.occlusion : 0.0F;
+        style.occlusion = isSoft ? lighting.occlusion : 0.0F;
     }
     if (input.showShadows) {
         style.castingLights = castersOf(style.lights);
@@ -77,9 +91,9 @@ Style Style::of(const RenderInput& input)
         style.light.ground * (look.isLit ? style.light.onGround() : glm::vec3(1.0F));
     const bool isFlat = look.paint != nullptr && !look.isLit;
     style.blobStrength = input.showShadows && !isFlat ? style.blobStrength : 0.0F;
-    if (look.isLit && input.showShadows && isCasting(input.lighting)) {
-        style.shadowStrength = input.lighting.shadowStrength;
-        style.shadowSoftness = input.lighting.shadowSoftnessRadians;
+    if (look.isLit && input.showShadows && isCasting(lighting)) {
+        style.shadowStrength = lighting.shadowStrength;
+        style.shadowSoftness = lighting.shadowSoftnessRadians;
     }
     if (style.inkPixels > 0.0F && style.castsShadows()) {
         style.blobStrength = 0.0F;

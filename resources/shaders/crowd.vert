@@ -152,6 +152,10 @@ void main()
 #ifdef PAINTED
     base.rgb = paint;
 #endif
+#ifdef OWN_COLOUR
+    uint own = texelFetch(appearance, row * 3).x;
+    base.rgb *= srgbToLinear(vec3(own & 255u, own >> 8 & 255u, own >> 16 & 255u) * (1.0 / 255.0));
+#endif
     vec3 light = lightAt(n);
     vec3 others = vec3(0.0);
 #ifdef LIGHTS

@@ -51,6 +51,8 @@ void RenderCommandTest::drawsOnlyWhatMakesSense_data()
         {"a format that is none", "--output %1/a.tiger --allow-missing", 1,
          "let the name end in one of .png"},
         {"unknown look", "--output %1/a.png --look potato", 2, "there are: plain, lit"},
+        {"unknown property", "--output %1/a.png --by shoesize", 2, "There are: template, group"},
+        {"a property in another look", "--output %1/a.png --by tag --look clay", 2, "leave one"},
         {"time that is none", "--output %1/a.png --time nan", 2, "--time"},
         {"frames without a place", "--output %1/a.png --frames 0-3", 2, "put ####"},
         {"frames backwards", "--output %1/a#.png --frames 3-0", 2, "not a range"},

@@ -2,6 +2,7 @@ crowd_add_tests(ROOM gui LINK crowd_app TESTS
     tst_Console
     tst_EditorAudience
     tst_PaintAudience
+    tst_PropertyLegend
     tst_Recording
     tst_Scenarios
     tst_ScriptBrush

@@ -48,6 +48,7 @@ crowd_add_tests(ROOM model
     tst_Pose
     tst_ProjectFile
     tst_ProjectMutations
+    tst_PropertyPaint
     tst_Properties
     tst_RuleFlaws
     tst_RuleSequence

@@ -205,11 +205,22 @@ class Pictures(unittest.TestCase):
             with self.assertRaises(crowdbrush.Error):
                 scene.render(64, 36).save_png(os.path.join(folder, "no", "a.png"))
 
+    def test_colours_by_property(self):
+        scene = theatre()
+        ids = scene.ids
+        scene.change(ids[:len(ids) // 2], tags=1)
+        lit = scene.render(160, 90)
+        by_tag = scene.render(160, 90, by="tag")
+        self.assertFalse(np.array_equal(by_tag, lit))
+        self.assertTrue(np.array_equal(by_tag, scene.render(160, 90, look="property", by="tag")))
+        self.assertFalse(np.array_equal(by_tag, scene.render(160, 90, look="property")))
+        self.assertFalse(np.array_equal(by_tag, scene.render(160, 90, by="feature:emotion")))
+
     def test_bad_requests(self):
         scene = theatre()
         for arguments in [dict(width=0), dict(width=100_000), dict(camera="nowhere"),
                           dict(time=float("nan")), dict(time=1e18), dict(time=-float("inf")),
-                          dict(look="sepia")]:
+                          dict(look="sepia"), dict(by="shoe size"), dict(by="tag", look="clay")]:
             with self.subTest(arguments=arguments), self.assertRaises(crowdbrush.Error):
                 scene.render(**{"width": 10, "height": 10, **arguments})
         with self.assertRaisesRegex(crowdbrush.Error, "no camera"):

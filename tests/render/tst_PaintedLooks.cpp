@@ -24,6 +24,7 @@ private Q_SLOTS:
     void silhouettesAreDarkOnBright();
     void aBlueprintHasBrightLines();
     void aWireframeIsOfEdges();
+    void byPropertyIsInTheColourOfEach();
 
 private:
     [[nodiscard]] render::RenderInput frontOf(render::Look look, bool isColourful = false);
@@ -72,7 +73,7 @@ void TestPaintedLooks::materialsDoNotShow()
     draw(frontOf(info.look));
     const std::vector<std::uint8_t> plain = m_pixels;
     draw(frontOf(info.look, true));
-    QCOMPARE(m_pixels == plain, info.paint != nullptr);
+    QCOMPARE(m_pixels == plain, info.paint != nullptr && !info.isByProperty);
 }
 
 void TestPaintedLooks::clayIsLit()
@@ -134,6 +135,29 @@ void TestPaintedLooks::aWireframeIsOfEdges()
              qPrintable(QStringLiteral("%1 of %2").arg(wire).arg(solid)));
     draw(frontOf(render::Look::Silhouettes)); // and the next picture is solid again
     QVERIFY(brightness(kPixels / 2, kPixels / 2) < 120);
+}
+
+/// Whatever people are made of, and however the scene is lit.
+void TestPaintedLooks::byPropertyIsInTheColourOfEach()
+{
+    const auto middleOf = [this](const model::Tint& own, bool isDark) {
+        render::RenderInput input = frontOf(render::Look::Property, true);
+        auto frame = std::make_shared<model::CrowdFrame>(*input.frame);
+        setAll(frame->population, model::columns::tint(0), own);
+        input.frame = frame;
+        input.lighting.sunStrength = isDark ? 0.0F : 1.0F;
+        input.lighting.ambientColor = isDark ? glm::vec3(0.2F, 0.0F, 0.0F) : glm::vec3(1.0F);
+        draw(input);
+        const std::uint8_t* pixel =
+            &m_pixels[static_cast<std::size_t>((kPixels / 2 * kPixels + kPixels / 2) * 4)];
+        return glm::ivec3(pixel[0], pixel[1], pixel[2]);
+    };
+    const glm::ivec3 blue = middleOf({0, 114, 178, 255}, false);
+    QVERIFY2(blue.r < 30 && blue.g > 70 && blue.b > blue.g + 30,
+             qPrintable(QStringLiteral("%1 %2 %3").arg(blue.r).arg(blue.g).arg(blue.b)));
+    const glm::ivec3 orange = middleOf({230, 159, 0, 255}, false);
+    QVERIFY(orange.r > orange.g + 30 && orange.b < 30);
+    QVERIFY(middleOf({0, 114, 178, 255}, true) == blue);
 }
 
 CROWD_TEST(TestPaintedLooks)

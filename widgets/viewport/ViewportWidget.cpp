@@ -50,7 +50,7 @@ QSurfaceFormat surfaceFormat()
 ViewportWidget::ViewportWidget(EditorState& state, QWidget* parent)
     : QOpenGLWidget(parent), m_state(state), m_renderer(std::make_unique<render::Renderer>()),
       m_tools(state), m_input(*this, m_tools), m_overlay(new ViewportOverlay(this)),
-      m_work(new WorkBar(this))
+      m_work(new WorkBar(this)), m_properties(new PropertyLegend(state, m_colours, this))
 {
     setFormat(surfaceFormat());
     setFocusPolicy(Qt::StrongFocus);
@@ -59,6 +59,7 @@ ViewportWidget::ViewportWidget(EditorState& state, QWidget* parent)
     setAcceptDrops(false); // the main window takes what is dropped
     m_sincePublished.start();
     m_sinceSwap.start();
+    m_sinceLegend.start();
     connectState();
 }
 
@@ -109,6 +110,7 @@ void ViewportWidget::connectState()
 void ViewportWidget::connectScene()
 {
     connect(&m_state.document(), &model::SceneDocument::changed, this, [this] {
+        m_colours.forget(); // names and colours too may be others
         redraw();
         refreshText();
     });
@@ -243,6 +245,9 @@ render::RenderInput ViewportWidget::renderInput()
     input.lights = m_state.scene().lights;
     input.lighting.showGroundGrid &= options.showGroundGrid;
     input.look = options.look;
+    if (render::lookInfo(options.look).isByProperty) {
+        input.frame = m_colours.painted(m_state, input.frame);
+    }
     setQuality(input);
     input.showShadows = options.showShadows;
     input.selected = m_state.selection().ids();
@@ -338,6 +343,7 @@ void ViewportWidget::finishFrame()
     std::vector<TagLabel> legend = m_marks.legend();
     legend.insert(legend.end(), m_arcs.legend().begin(), m_arcs.legend().end());
     m_overlay->setLegend(legend);
+    refreshProperties();
     if (!isMoving() && m_ripeness + 1 < picturesToRipen()) {
         m_ripens.start(m_ripeness == 0 ? kRipenMs : 0);
     }
@@ -353,6 +359,15 @@ void ViewportWidget::finishFrame()
         refreshText();
     }
     publishStatistics(!m_clock.isRunning());
+}
+
+/// Numbers that change with every picture are not to be read.
+void ViewportWidget::refreshProperties()
+{
+    if (!m_clock.isRunning() || m_sinceLegend.elapsed() >= kPublishMs) {
+        m_sinceLegend.start();
+        m_properties->refresh();
+    }
 }
 
 void ViewportWidget::publishStatistics(bool isAtRest)
@@ -515,6 +530,7 @@ void ViewportWidget::renewTexts()
     delete std::exchange(m_popup, nullptr); // comes again when it is asked for
     m_problem = m_said.empty() ? QString() : model::translated(m_said);
     m_tools.renewTexts();
+    m_properties->renewTexts();
     refreshPlaces();
     refreshText();
     renew();
@@ -525,6 +541,7 @@ void ViewportWidget::resizeEvent(QResizeEvent* event)
     QOpenGLWidget::resizeEvent(event);
     m_overlay->setGeometry(rect());
     m_work->place();
+    m_properties->place();
     m_state.setViewSize(glm::vec2(std::max(1, width()), std::max(1, height())));
     refreshPlaces();
 }

@@ -16,6 +16,7 @@
 #include "widgets/viewport/LightMarks.h"
 #include "widgets/viewport/PathDrawing.h"
 #include "widgets/viewport/PeopleMarks.h"
+#include "widgets/viewport/PropertyLegend.h"
 #include "widgets/viewport/RelationArcs.h"
 #include "widgets/viewport/ViewportInput.h"
 #include "widgets/viewport/WalkableDrawing.h"
@@ -87,6 +88,7 @@ private:
     void refreshOverlay();
     void refreshCursor();
     void refreshText();
+    void refreshProperties();
     void pressWorkButton();
     [[nodiscard]] QString helpText() const;
     [[nodiscard]] WorkStatus workStatus();
@@ -105,8 +107,10 @@ private:
     std::unique_ptr<render::Renderer> m_renderer;
     ToolController m_tools;
     ViewportInput m_input;
-    ViewportOverlay* m_overlay;    ///< child widget
-    WorkBar* m_work;               ///< child widget
+    ViewportOverlay* m_overlay; ///< child widget
+    WorkBar* m_work;            ///< child widget
+    PropertyColours m_colours;
+    PropertyLegend* m_properties;  ///< child widget
     BrushPopup* m_popup = nullptr; ///< child widget, made when first asked for
     FrameClock m_clock;
     FrameTimes m_frameTimes;
@@ -115,6 +119,7 @@ private:
     QElapsedTimer m_sinceDraw;
     QElapsedTimer m_sinceSwap;
     QElapsedTimer m_sincePublished;
+    QElapsedTimer m_sinceLegend;
     bool m_isFrameOpen = false;  ///< drawn, not swapped yet
     QTimer m_viewMotion;         ///< runs from a change of the view until it counts as still
     bool m_isShownFinal = false; ///< the last picture was drawn while nothing moved
