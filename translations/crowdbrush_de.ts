@@ -5340,10 +5340,6 @@
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Walking speed</source>
-        <translation>Gehtempo</translation>
-    </message>
-    <message>
         <source>Density</source>
         <translation>Dichte</translation>
     </message>

@@ -5340,10 +5340,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Walking speed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Density</source>
         <translation type="unfinished"></translation>
     </message>
