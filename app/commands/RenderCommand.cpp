@@ -149,11 +149,11 @@ int runRender(const RenderOptions& options)
     if (!camera) {
         return fail(camera.error());
     }
-    if (auto complete = checkMissing(scene.value(), options.allowsMissing); !complete) {
-        return fail(complete.error());
-    }
     if (auto known = model::checkProperty(scene.value(), plan.value().property); !known) {
         return fail(known.error(), kBadUsage);
+    }
+    if (auto complete = checkMissing(scene.value(), options.allowsMissing); !complete) {
+        return fail(complete.error());
     }
     InterruptGuard::install();
     ScenePictures pictures(std::move(scene).value(), camera.value(), plan.value());
