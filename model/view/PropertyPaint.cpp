@@ -112,8 +112,9 @@ public:
                 order.push_back(static_cast<std::uint16_t>(i));
             }
         }
-        std::ranges::stable_partition(
-            order, [this](std::uint16_t i) { return paint.classes[i].kind != Kind::None; });
+        std::stable_partition(order.begin(), order.end(), [this](std::uint16_t i) {
+            return paint.classes[i].kind != Kind::None;
+        });
         std::vector<PropertyClass> kept;
         std::vector<std::uint16_t> places(paint.classes.size());
         for (const std::uint16_t each : order) {

@@ -70,9 +70,9 @@ void say(EditorState& state, const QString& name, const model::StateRecall& reca
 }
 
 /// Those a state is recalled for; nothing: all of it.
-using People = std::optional<std::vector<model::IndividualId>>;
+using OnlyThese = std::optional<std::vector<model::IndividualId>>;
 
-People recallsFor(const EditorState& state)
+OnlyThese recallsFor(const EditorState& state)
 {
     if (!state.recall().isForSelected) {
         return std::nullopt;
@@ -90,7 +90,7 @@ model::RecallTiming timingNow(const EditorState& state)
     return timing;
 }
 
-void recallInRun(EditorState& state, const State& kept, const People& only)
+void recallInRun(EditorState& state, const State& kept, const OnlyThese& only)
 {
     const model::ChangeOver change{kept.id, peopleOf(state.scene(), kept, only ? &*only : nullptr),
                                    kept.columns, timingNow(state)};
@@ -179,7 +179,7 @@ void recallStateOf(EditorState& state, model::StateId id, RecallInto into)
     }
     const State kept = *found;
     state.chooseState(id);
-    const People only = recallsFor(state);
+    const OnlyThese only = recallsFor(state);
     if (only && only->empty()) {
         state.showStatus(StatesText::tr("Nobody is selected for whom “%1” could be recalled.")
                              .arg(quoted(kept.name)));
