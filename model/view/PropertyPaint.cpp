@@ -268,6 +268,7 @@ void sortByNumber(Sorting& sorting, const Subject& of, const PropertyInfo& prope
 {
     const bool isZeroNone = *property.meta.zero != '\0';
     std::vector<double> values;
+    values.reserve(of.people.size());
     for (const float each : of.people.column(ColumnKey<float>{property.id})) {
         values.push_back(isZeroNone && each == 0.0F ? std::numeric_limits<double>::quiet_NaN()
                                                     : static_cast<double>(each));
@@ -319,6 +320,7 @@ const PropertyInfo* numberProperty(std::string_view key)
 std::vector<std::string> propertyKeys(const Scene& scene)
 {
     std::vector<std::string> keys;
+    keys.reserve(kShownProperties.size() + scene.features.size());
     for (const ShownProperty& each : kShownProperties) {
         keys.emplace_back(each.key);
     }
