@@ -304,9 +304,12 @@ const FeatureKind* featureOf(const Scene& scene, std::string_view key)
 std::uint32_t tagColor(const Scene& scene, int bit)
 {
     constexpr int kHueStep = 67; // degrees: those of neighbouring numbers are far apart
+    constexpr double kSaturation = 200.0 / 255.0;
+    constexpr double kValue = 230.0 / 255.0;
     const auto named = std::ranges::find(scene.tags, bit, &TagName::bit);
-    return named != scene.tags.end() ? colorOf(named->color)
-                                     : colorOfHue(bit * kHueStep % 360 / 360.0, 0.78, 0.9);
+    return named != scene.tags.end()
+               ? colorOf(named->color)
+               : colorOfHue(bit * kHueStep % 360 / 360.0, kSaturation, kValue);
 }
 
 const PropertyInfo* numberProperty(std::string_view key)

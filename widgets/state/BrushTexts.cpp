@@ -6,6 +6,8 @@
 #include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
 
+#include "model/view/PropertyPaint.h"
+
 namespace crowd::widgets {
 
 using model::BrushSelection;
@@ -75,9 +77,7 @@ QString placeRoleTip(model::PlaceRole role)
 
 QColor tagColor(const model::Scene& scene, int bit)
 {
-    const auto named = std::ranges::find(scene.tags, bit, &model::TagName::bit);
-    return named != scene.tags.end() ? QColor(named->color[0], named->color[1], named->color[2])
-                                     : QColor::fromHsv(bit * 67 % 360, 200, 230);
+    return QColor::fromRgb(model::tagColor(scene, bit));
 }
 
 QString tagText(const model::Scene& scene, int bit)
