@@ -2,6 +2,7 @@
 #include "model/gltf/GltfImages.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <span>
 #include <string_view>
@@ -94,6 +95,21 @@ std::vector<int> sourcesOf(const tinygltf::Texture& texture)
     return sources;
 }
 
+glm::vec4 meanOf(const Image& image)
+{
+    std::array<std::uint64_t, 4> sums{};
+    for (std::size_t i = 0; i < image.rgba.size(); ++i) {
+        sums[i % 4] += image.rgba[i];
+    }
+    const std::size_t pixels = std::max<std::size_t>(image.rgba.size() / 4, 1);
+    const double all = 255.0 * static_cast<double>(pixels);
+    glm::vec4 mean(0.0F);
+    for (int i = 0; i < 4; ++i) {
+        mean[i] = static_cast<float>(static_cast<double>(sums[static_cast<std::size_t>(i)]) / all);
+    }
+    return mean;
+}
+
 } // namespace
 
 ImageTable::ImageTable(const GltfFile& file, std::vector<Message>& warnings)
@@ -123,7 +139,7 @@ int ImageTable::fromTexture(int texture)
 
 /// Each is read when it is asked for and let go when it is decoded, so that a file that names many
 /// takes no more memory than one.
-Result<Image> ImageTable::read(const ImageSource& source)
+Result<Image> ImageTable::read(const ImageSource& source, Taken& taken)
 {
     Bytes loaded;
     std::span<const std::uint8_t> bytes;
@@ -140,12 +156,29 @@ Result<Image> ImageTable::read(const ImageSource& source)
         loaded = std::move(read).value();
         bytes = loaded;
     }
-    m_encodedBytes += bytes.size();
-    if (m_encodedBytes > kMaxEncodedBytes) {
+    taken.encodedBytes += bytes.size();
+    if (taken.encodedBytes > kMaxEncodedBytes) {
         return Error{
             QT_TRANSLATE_NOOP("Messages", "the pictures are larger than 512 MiB together")};
     }
-    return decode(bytes, kMaxImagePixels - m_pixels);
+    Result<Image> image = decode(bytes, kMaxImagePixels - taken.pixels);
+    taken.pixels += image ? image.value().rgba.size() / 4 : 0;
+    return image;
+}
+
+std::optional<Image> ImageTable::readOrWarn(int index, Taken& taken)
+{
+    const ImageSource& from = m_file.images[static_cast<std::size_t>(index)];
+    Result<Image> image = read(from, taken);
+    if (image) {
+        image.value().name = from.name;
+        return std::move(image).value();
+    }
+    const std::string where = place("images", static_cast<std::size_t>(index));
+    m_warnings.emplace_back(QT_TRANSLATE_NOOP("Messages", "%1 is left out: %2."),
+                            from.name.empty() ? where : where + " \"" + from.name + '"',
+                            image.error().said);
+    return std::nullopt;
 }
 
 int ImageTable::fromImage(int index)
@@ -154,19 +187,41 @@ int ImageTable::fromImage(int index)
     if (!isNew) {
         return known->second;
     }
-    const ImageSource& from = m_file.images[static_cast<std::size_t>(index)];
-    Result<Image> image = read(from);
-    if (!image) {
-        const std::string where = place("images", static_cast<std::size_t>(index));
-        m_warnings.emplace_back(QT_TRANSLATE_NOOP("Messages", "%1 is left out: %2."),
-                                from.name.empty() ? where : where + " \"" + from.name + '"',
-                                image.error().said);
-        return -1;
+    if (std::optional<Image> image = readOrWarn(index, m_kept)) {
+        known->second = static_cast<int>(m_images.size());
+        m_images.push_back(std::move(*image));
     }
-    image.value().name = from.name;
-    m_pixels += image.value().rgba.size() / 4;
-    known->second = static_cast<int>(m_images.size());
-    m_images.push_back(std::move(image).value());
+    return known->second;
+}
+
+std::optional<glm::vec4> ImageTable::meanOf(int texture)
+{
+    const auto& textures = m_file.model->textures;
+    if (texture < 0 || static_cast<std::size_t>(texture) >= textures.size()) {
+        return std::nullopt;
+    }
+    for (const int source : sourcesOf(textures[static_cast<std::size_t>(texture)])) {
+        if (const std::optional<glm::vec4> mean = meanOfImage(source)) {
+            return mean;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<glm::vec4> ImageTable::meanOfImage(int index)
+{
+    const auto [known, isNew] = m_means.try_emplace(index);
+    if (!isNew) {
+        return known->second;
+    }
+    const auto kept = m_ofFileImage.find(index);
+    if (kept != m_ofFileImage.end()) { // told of already, where it cannot be read
+        if (kept->second >= 0) {
+            known->second = gltf::meanOf(m_images[static_cast<std::size_t>(kept->second)]);
+        }
+    } else if (const std::optional<Image> image = readOrWarn(index, m_passing)) {
+        known->second = gltf::meanOf(*image);
+    }
     return known->second;
 }
 

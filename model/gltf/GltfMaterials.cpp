@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "model/gltf/GltfGloss.h"
 #include "model/gltf/GltfNames.h"
 #include "model/gltf/GltfValue.h"
 
@@ -142,11 +143,14 @@ glm::vec3 emissiveOf(const tinygltf::Material& material)
 /// Whether two slots look the same, so that coarser levels can share the slot of the finer.
 bool looksLike(const MaterialChoice& a, const MaterialChoice& b)
 {
+    constexpr float kAlike = 0.05F;
     return a.image == b.image && a.tintMask == b.tintMask && a.unlit == b.unlit &&
            a.alphaMode == b.alphaMode && a.alphaCutoff == b.alphaCutoff &&
            a.doubleSided == b.doubleSided && a.uvTransform == b.uvTransform &&
            a.emissiveImage == b.emissiveImage && a.emissiveUvTransform == b.emissiveUvTransform &&
            a.wrapU == b.wrapU && a.wrapV == b.wrapV && a.nearest == b.nearest &&
+           std::abs(a.roughness - b.roughness) < kAlike &&
+           std::abs(a.metallic - b.metallic) < kAlike &&
            glm::all(glm::lessThan(glm::abs(a.emissive - b.emissive), glm::vec3(1e-3F))) &&
            glm::all(glm::lessThan(glm::abs(a.baseColor - b.baseColor), glm::vec4(1e-3F)));
 }
@@ -298,6 +302,9 @@ MaterialChoice SlotTable::makeChoice(int index)
     choice.unlit = find(material.extensions, "KHR_materials_unlit") != nullptr;
     choice.emissive = emissiveOf(material);
     addGlow(material, choice);
+    const Gloss gloss = glossOf(material, m_images);
+    choice.roughness = gloss.roughness;
+    choice.metallic = gloss.metallic;
     return choice;
 }
 

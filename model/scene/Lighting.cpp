@@ -8,6 +8,7 @@ Lighting newLighting()
     Lighting light;
     light.shadowStrength = 0.8F;
     light.occlusion = 0.6F;
+    light.highlights = 1.0F;
     return light;
 }
 

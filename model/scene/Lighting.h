@@ -31,6 +31,7 @@ struct Lighting
     float sunStrength = 1.0F;
     float shadowStrength = 0.0F;         ///< of what the sun casts; 0: none is cast
     float shadowSoftnessRadians = 0.02F; ///< angle that the sun takes in the sky
+    float highlights = 0.0F; ///< of what smooth surfaces mirror: sun, lamps and sky; 0: none
     glm::vec3 ambientColor{0.62F, 0.70F, 0.82F};
     float ambientStrength = 0.6F;
     float occlusion = 0.0F; ///< how dark it is where the sky is hidden by what is near; 0: not
@@ -127,6 +128,20 @@ constexpr auto Lighting::fields()
              .decimals = 1,
              .shownScale = kDegrees})
             .when([](const S& s, const C&) { return s.shadowStrength > 0.0F; }),
+        field(&S::highlights,
+              {.key = "highlights",
+               .label = QT_TRANSLATE_NOOP("Fields", "Highlights"),
+               .tip = QT_TRANSLATE_NOOP("Fields", "How strongly what is smooth, as water, glass, "
+                                                  "metal and skin, mirrors the sun, the lamps and "
+                                                  "the sky; 0: not"),
+               .doc = "how strongly smooth surfaces mirror the sun, the lamps and the sky; 0: not",
+               .unit = QT_TRANSLATE_NOOP("Fields", " %"),
+               .high = 4.0,
+               .sliderLow = 0.0,
+               .sliderHigh = 200.0,
+               .step = 5.0,
+               .decimals = 0,
+               .shownScale = 100.0}),
         field(&S::ambientColor, {.key = "ambientColor",
                                  .label = QT_TRANSLATE_NOOP("Fields", "Light"),
                                  .tip = QT_TRANSLATE_NOOP("Fields", "The colour of the light that "

@@ -44,6 +44,7 @@ Lighting lightOf(const Sun& sun, const Sky& sky)
     light.shadowStrength = sun.shadowStrength;
     light.shadowSoftnessRadians = sun.softnessDegrees * kRadians;
     light.occlusion = 0.6F;
+    light.highlights = 1.0F;
     light.ambientColor = sky.light;
     light.ambientStrength = sky.strength;
     light.skyZenith = sky.zenith;

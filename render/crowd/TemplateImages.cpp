@@ -140,8 +140,8 @@ MaterialRecord recordOf(const MaterialChoice& choice, bool isTintable, bool isOp
     record.emissive =
         glm::vec4(choice.emissive, static_cast<float>(layers.plain(choice.emissiveImage)));
     const std::array<float, 6>& glow = choice.emissiveUvTransform;
-    record.glowRowU = {glow[0], glow[1], glow[2], 0.0F};
-    record.glowRowV = {glow[3], glow[4], glow[5], 0.0F};
+    record.glowRowU = {glow[0], glow[1], glow[2], choice.roughness};
+    record.glowRowV = {glow[3], glow[4], glow[5], choice.metallic};
     return record;
 }
 

@@ -21,11 +21,11 @@ struct MaterialRecord
     float maskLayer = -1.0F;
     float alphaCutoff = 0.0F; ///< from there on it is solid
     float unlit = 0.0F;
-    glm::vec4 uvRowU{1.0F, 0.0F, 0.0F, 1.0F}; ///< w: mean luminance where a tint colours it
-    glm::vec4 uvRowV{0.0F, 1.0F, 0.0F, 0.0F}; ///< 1 in w: what is not solid is blended
-    glm::vec4 emissive{0.0F};                 ///< layer in w
-    glm::vec4 glowRowU{1.0F, 0.0F, 0.0F, 0.0F};
-    glm::vec4 glowRowV{0.0F, 1.0F, 0.0F, 0.0F};
+    glm::vec4 uvRowU{1.0F, 0.0F, 0.0F, 1.0F};   ///< w: mean luminance where a tint colours it
+    glm::vec4 uvRowV{0.0F, 1.0F, 0.0F, 0.0F};   ///< 1 in w: what is not solid is blended
+    glm::vec4 emissive{0.0F};                   ///< layer in w
+    glm::vec4 glowRowU{1.0F, 0.0F, 0.0F, 1.0F}; ///< w: roughness
+    glm::vec4 glowRowV{0.0F, 1.0F, 0.0F, 0.0F}; ///< w: metallic
 };
 static_assert(sizeof(MaterialRecord) == 112);
 

@@ -26,6 +26,7 @@ std::string fullText(const std::string& file, std::string_view defines)
         std::ranges::replace(word, '=', ' ');
         text += "#define " + word + "\n";
     }
+    text += shaderSource("highlights.glsl");
     text += shaderSource("lights.glsl");
     if (file.ends_with(".vert")) {
         text += shaderSource("lighting.glsl");

@@ -70,7 +70,7 @@ Result<void> GhostPass::drawGhost(const PassContext& context, CrowdGpu& crowd, c
 {
     const TemplateGpu& gpu = send(context, crowd, ghost);
     const InstanceRun run{0, 0, 0, 1};
-    PeopleDrawing::CrowdDraw drawing{m_rows, m_instances, context.style.surfaceDefines};
+    PeopleDrawing::CrowdDraw drawing{m_rows, m_instances, context.style.materialDefines()};
     if (ghost.alpha < 1.0F) {
         glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         auto drawn = m_drawing.draw(context, drawing, gpu, run);

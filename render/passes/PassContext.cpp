@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "model/view/View.h"
 #include "render/gl/ShaderProgram.h"
 
 namespace crowd::render {
@@ -25,6 +26,9 @@ void PassContext::setCommon(ShaderProgram& program) const
     if (!style.lights.empty()) {
         setLights(program);
     }
+    if (style.highlights > 0.0F) {
+        setHighlights(program);
+    }
     if (style.castsShadows()) {
         program.set("shadowMap", kShadowUnit);
         program.set("mapFromWorld", shadows.mapFromWorld);
@@ -33,6 +37,18 @@ void PassContext::setCommon(ShaderProgram& program) const
         program.set("shadowStrength", style.shadowStrength);
         program.set("shadowTint", style.shadowTint());
     }
+}
+
+void PassContext::setHighlights(ShaderProgram& program) const
+{
+    const model::Camera& camera = input.view.camera();
+    const bool isParallel = camera.projection == model::Projection::Orthographic;
+    program.set("viewer",
+                isParallel ? glm::vec4(-camera.forward(), 0.0F) : glm::vec4(camera.position, 1.0F));
+    program.set("highlights", style.highlights);
+    program.set("mirroredZenith", style.light.zenith);
+    program.set("mirroredHorizon", style.light.horizon);
+    program.set("mirroredGround", style.groundColor);
 }
 
 void PassContext::setLights(ShaderProgram& program) const

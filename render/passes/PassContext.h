@@ -51,6 +51,7 @@ struct PassContext
 
 private:
     void setLights(ShaderProgram& program) const;
+    void setHighlights(ShaderProgram& program) const;
 };
 
 } // namespace crowd::render

@@ -11,7 +11,7 @@ Result<void> PeoplePass::drawRuns(const PassContext& context, CrowdGpu& crowd,
                                   const GlBuffer& instances, std::span<const InstanceRun> runs,
                                   Surface surface)
 {
-    PeopleDrawing::CrowdDraw drawing{crowd.rows(), instances, context.style.surfaceDefines};
+    PeopleDrawing::CrowdDraw drawing{crowd.rows(), instances, context.style.materialDefines()};
     drawing.defines += crowd.records().replacesColours() ? "REPLACED " : "";
     drawing.surface = surface;
     Result<void> drawn;

@@ -84,7 +84,7 @@ void pointAttributes()
 
 std::string definesOf(const MaterialChoice& material, const Style& style)
 {
-    std::string defines = style.surfaceDefines;
+    std::string defines = style.materialDefines();
     defines += material.image >= 0 || material.emissiveImage >= 0 ? "TEXTURED " : "";
     defines += material.emissiveImage >= 0 ? "GLOWING " : "";
     defines += material.alphaMode == AlphaMode::Mask ? "CUTOUT " : "";
@@ -189,6 +189,9 @@ Result<void> StagePass::drawBatch(const PassContext& context, const Gpu& gpu, co
     shader.set("worldFromStage", matrix);
     shader.set("emissive", material.emissive);
     shader.set("unlit", material.unlit ? 1.0F : 0.0F);
+    if (context.style.highlights > 0.0F) {
+        shader.set("gloss", glm::vec2(material.roughness, material.metallic));
+    }
     setSurface(shader, gpu, index);
     if (material.emissiveImage >= 0) {
         const std::array<float, 6>& glow = material.emissiveUvTransform;

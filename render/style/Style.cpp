@@ -49,6 +49,20 @@ void usePaint(Style& style, const LookPaint& paint, float skyShare)
     style.inkColor = linearOf(paint.ink);
 }
 
+void useLight(Style& style, const RenderInput& input, const LookInfo& look,
+              const model::Lighting& lighting)
+{
+    if (!look.isByProperty) {
+        style.lights = placedLights(input.lights, input.frame.get());
+    }
+    style.tone = Tone::from(lighting);
+    // Soft darkness is not drawn with ink.
+    const bool hasInk = look.inkPixels > 0.0F;
+    style.occlusion = input.showShadows && !hasInk ? lighting.occlusion : 0.0F;
+    // Clay is dull, and ink has its own way to say that something shines.
+    style.highlights = look.paint == nullptr && !hasInk ? lighting.highlights : 0.0F;
+}
+
 } // namespace
 
 Style Style::of(const RenderInput& input)
@@ -69,13 +83,7 @@ Style Style::of(const RenderInput& input)
     style.hasGround = input.showGround && !input.isTransparent;
     style.hasGrid = lighting.showGroundGrid;
     if (look.isLit) {
-        if (!look.isByProperty) {
-            style.lights = placedLights(input.lights, input.frame.get());
-        }
-        style.tone = Tone::from(lighting);
-        // Soft darkness is not drawn with ink.
-        const bool isSoft = input.showShadows && look.inkPixels <= 0.0F;
-        style.occlusion = isSoft ? lighting.occlusion : 0.0F;
+        useLight(style, input, look, lighting);
     }
     if (input.showShadows) {
         style.castingLights = castersOf(style.lights);
@@ -100,6 +108,11 @@ Style Style::of(const RenderInput& input)
     }
     style.selectionColor = input.selectionColor;
     return style;
+}
+
+std::string Style::materialDefines() const
+{
+    return surfaceDefines + (highlights > 0.0F ? "HIGHLIGHTS " : "");
 }
 
 glm::vec3 Style::shadowTint() const

@@ -32,7 +32,7 @@ struct Tone
 /// otherwise.
 struct Style
 {
-    std::string surfaceDefines; ///< that shaders of people and stages are compiled with
+    std::string surfaceDefines; ///< that shaders of people, stages and the ground are compiled with
     LinearLight light;
     std::vector<PlacedLight> lights; ///< that stand in the scene; none where the look has no light
     std::size_t castingLights = 0;   ///< so many of the first cast shadows
@@ -53,6 +53,7 @@ struct Style
     float blobStrength = 0.42F;  ///< of the soft dark under people; 0: none
     glm::vec3 inkColor{0.012F, 0.011F, 0.016F};
     float inkPixels = 0.0F;      ///< width of lines around things, logical; 0: none
+    float highlights = 0.0F;     ///< strength of what smooth surfaces mirror; 0: none
     float occlusion = 0.0F;      ///< where little of the sky is seen; 0: none
     float shadowStrength = 0.0F; ///< of what the sun casts; 0: nothing
     float shadowSoftness = 0.0F; ///< radians that the sun takes in the sky
@@ -60,6 +61,8 @@ struct Style
     glm::vec3 hoverColor{1.0F};                   ///< likewise
     float outlinePixels = 2.0F;                   ///< logical
 
+    /// Of what has materials: people and stages.
+    [[nodiscard]] std::string materialDefines() const;
     [[nodiscard]] bool castsShadows() const { return shadowStrength > 0.0F; }
     /// The hue of what the sky alone lights against that of what the sun lights too.
     [[nodiscard]] glm::vec3 shadowTint() const;

@@ -12,6 +12,7 @@ import theatre_buildings as buildings
 from blender_mesh import make_mesh, openness, split_by_material
 from geometry import srgb_to_linear
 from glb import INDICES, GlbWriter, vertex_attributes
+from gloss import gloss_of
 from stage_surface import MATERIALS, ROUNDED, StageSurface
 from theatre_seating import add_seating
 
@@ -57,7 +58,7 @@ def write(surface, seats, path):
         primitives.append({"attributes": attributes, "material": glb.add("materials", {
             "name": name, "pbrMetallicRoughness": {
                 "baseColorFactor": [round(c, 4) for c in srgb_to_linear(rgb)] + [1.0],
-                "metallicFactor": 0.0, "roughnessFactor": .95}}),
+                **gloss_of("theatre", name)}}),
             "indices": glb.accessor(part.triangles.reshape(-1).astype(np.uint16), "SCALAR",
                                     INDICES)})
     glb.add("meshes", {"name": "theatre", "primitives": primitives})

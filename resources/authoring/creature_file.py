@@ -8,6 +8,7 @@ import numpy as np
 
 from geometry import rot_x, srgb_to_linear, to_gltf
 from glb import INDICES, VERTICES, GlbWriter, vertex_attributes
+from gloss import CLOTH, gloss_of
 from person_file import TO_GLTF, quaternions
 
 FRAMES_PER_SECOND = 32
@@ -141,7 +142,7 @@ class CreatureWriter:
                 factor = [round(c, 4) for c in srgb_to_linear(rgb)] + [1.0]
                 material = self.glb.add("materials", {
                     "name": variant or slot, "pbrMetallicRoughness": {
-                        "baseColorFactor": factor, "metallicFactor": 0.0, "roughnessFactor": .7},
+                        "baseColorFactor": factor, **gloss_of(self.name, slot, CLOTH)},
                     "extras": {"slot": slot, "tintable": slot not in ("eyes", "glass")}})
                 if variant:
                     mappings.append({"material": material, "variants": [len(names)]})

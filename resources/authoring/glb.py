@@ -53,12 +53,16 @@ class GlbWriter:
     def write(self, path):
         self.binary.extend(b"\0" * (-len(self.binary) % 4))
         self.document["buffers"] = [{"byteLength": len(self.binary)}]
-        text = json.dumps(self.document, separators=(",", ":")).encode()
-        text += b" " * (-len(text) % 4)
-        with open(path, "wb") as file:
-            file.write(struct.pack("<III", 0x46546C67, 2, 28 + len(text) + len(self.binary)))
-            file.write(struct.pack("<II", len(text), 0x4E4F534A) + text)
-            file.write(struct.pack("<II", len(self.binary), 0x004E4942) + self.binary)
+        write_glb(path, self.document, self.binary)
+
+
+def write_glb(path, document, binary):
+    text = json.dumps(document, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 4)
+    with open(path, "wb") as file:
+        file.write(struct.pack("<III", 0x46546C67, 2, 28 + len(text) + len(binary)))
+        file.write(struct.pack("<II", len(text), 0x4E4F534A) + text)
+        file.write(struct.pack("<II", len(binary), 0x004E4942) + binary)
 
 
 def read_glb(path):

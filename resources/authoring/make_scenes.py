@@ -11,8 +11,8 @@ TODAY = ("man", "woman", "man_2", "woman_2", "girl", "boy", "old_woman", "old_ma
 ADULTS = ("man", "woman", "man_2", "woman_2", "man", "woman", "old_woman", "old_man")
 CURB = .15
 DAY = {"sunAzimuth": .75, "sunElevation": .80, "sunColor": [1.0, .95, .86], "sunStrength": 1.1,
-       "shadowStrength": .85, "occlusion": .6, "shadowSoftness": .02, "ambientColor": [.72, .77, .86],
-       "ambientStrength": .50, "skyZenith": [.30, .52, .82], "skyHorizon": [.86, .90, .94],
+       "shadowStrength": .85, "occlusion": .6, "highlights": 1.0, "shadowSoftness": .02,
+       "ambientColor": [.72, .77, .86], "ambientStrength": .50, "skyZenith": [.30, .52, .82], "skyHorizon": [.86, .90, .94],
        "ground": [.46, .47, .49], "groundGrid": False}
 
 

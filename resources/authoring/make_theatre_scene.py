@@ -9,7 +9,8 @@ from crowd_scene import ANTIQUE, STAGE_ID, Crowd, camera, stage_seats
 EMPTY_WEDGES = (4, 5)
 OCCUPANCY = .955
 LIGHT = {"sunAzimuth": .95, "sunElevation": .72, "sunColor": [1.0, .95, .84], "sunStrength": 1.1,
-         "shadowStrength": .85, "occlusion": .6, "shadowSoftness": .02, "ambientColor": [.70, .74, .84], "ambientStrength": .50,
+         "shadowStrength": .85, "occlusion": .6, "highlights": 1.0, "shadowSoftness": .02,
+         "ambientColor": [.70, .74, .84], "ambientStrength": .50,
          "skyZenith": [.28, .50, .80], "skyHorizon": [.86, .90, .93],
          "ground": [.70, .64, .48], "groundGrid": False}
 CAMERAS = [

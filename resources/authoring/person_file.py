@@ -7,6 +7,7 @@ from body_skirt import gathered
 from clips import FRAMES_PER_SECOND
 from geometry import srgb_to_linear, to_gltf
 from glb import INDICES, VERTICES, GlbWriter, vertex_attributes
+from gloss import CLOTH, gloss_of
 
 TO_GLTF = np.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]], float)
 STILL_METRES, STILL_QUATERNION = 2e-4, 1e-4
@@ -82,8 +83,7 @@ class PersonWriter:
         return {"name": look.variant or slot,
                 "pbrMetallicRoughness": {"baseColorFactor": factor + [1.0],
                                          "baseColorTexture": {"index": pictures[look.image]},
-                                         "metallicFactor": 0.0,
-                                         "roughnessFactor": wardrobe.ROUGHNESS.get(slot, .9)},
+                                         **gloss_of(self.body.name, slot, CLOTH)},
                 "extras": {"slot": slot, "tintable": wardrobe.is_tintable(slot)}}
 
     def _skeleton(self):

@@ -6,6 +6,7 @@ import numpy as np
 
 from geometry import srgb_to_linear, to_gltf
 from glb import INDICES, GlbWriter, vertex_attributes
+from gloss import gloss_of
 
 STAGES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "stages")
 
@@ -25,7 +26,7 @@ def write_stage(surface, name, seats=(), smooth=()):
         primitives.append({"attributes": attributes, "material": glb.add("materials", {
             "name": material, "pbrMetallicRoughness": {
                 "baseColorFactor": [round(c, 4) for c in srgb_to_linear(rgb)] + [1.0],
-                "metallicFactor": 0.0, "roughnessFactor": .95}}),
+                **gloss_of(name, material)}}),
             "indices": glb.accessor(triangles.reshape(-1).astype(np.uint32), "SCALAR", INDICES)})
     glb.add("meshes", {"name": name, "primitives": primitives})
     glb.add("nodes", {"name": name, "mesh": 0})

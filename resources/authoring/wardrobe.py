@@ -10,7 +10,6 @@ import images
 
 SLOTS = ("skin", "hair", "top", "bottom", "shoes")
 EXTRA_SLOTS = ("bag", "scarf", "hat", "cloak")
-ROUGHNESS = {"skin": .65, "hair": .6, "shoes": .6}
 
 
 @dataclass(frozen=True)

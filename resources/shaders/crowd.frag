@@ -29,6 +29,9 @@ flat in float maskLayer;
 #ifdef SPECIAL
 in vec3 emissive;
 #endif
+#ifdef HIGHLIGHTS
+in vec4 mirrored; // w: the sun's share of it
+#endif
 #ifdef OPACITY
 uniform float opacity;
 #endif
@@ -58,7 +61,8 @@ void main()
 #endif
     vec4 result = color;
 #ifdef SHADOWED
-    vec3 left = shadowedLight(shadowed);
+    float dark = sunHidden(shadowed);
+    vec3 left = shadowedLight(shadowed, dark);
     result.rgb *= left;
 #endif
 #ifdef CARTOON
@@ -85,6 +89,13 @@ void main()
 #ifdef REPLACED
     float brightness = dot(result.rgb, vec3(0.2126, 0.7152, 0.0722));
     result.rgb = mix(result.rgb, replacement.rgb * (brightness + kDarkest), replacement.w * mask);
+#endif
+#endif
+#ifdef HIGHLIGHTS
+#ifdef SHADOWED
+    result.rgb = withMirrored(result, mirrored.rgb * (1.0 - mirrored.w * dark));
+#else
+    result.rgb = withMirrored(result, mirrored.rgb);
 #endif
 #endif
 #ifdef GLOWING

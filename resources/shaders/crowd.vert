@@ -50,6 +50,9 @@ flat out float maskLayer;
 #ifdef SPECIAL
 out vec3 emissive;
 #endif
+#ifdef HIGHLIGHTS
+out vec4 mirrored; // w: the sun's share of it
+#endif
 #if defined(REPLACED) && defined(TEXTURED)
 out vec4 replacement; // times the luminance drawn so far; strength in w
 const float kDarkest = 0.01; // black takes a colour too
@@ -85,12 +88,10 @@ vec4 tintOf(int texel, uint slot)
     return vec4(srgbToLinear(tint.rgb), tint.a);
 }
 
-#ifdef REPLACED
 float luminance(vec3 c)
 {
     return dot(c, vec3(0.2126, 0.7152, 0.0722));
 }
-#endif
 
 // Goes to the alpha of the picture, from which the outlines are drawn: nobody 1, else less than
 // 0.6; neighbours mostly differ, so that a line shows between them. As in outline.frag.
@@ -156,12 +157,28 @@ void main()
     uint own = texelFetch(appearance, row * 3).x;
     base.rgb *= srgbToLinear(vec3(own & 255u, own >> 8 & 255u, own >> 16 & 255u) * (1.0 / 255.0));
 #endif
+#ifdef PAINTED
+    vec4 slotTint = vec4(1.0, 1.0, 1.0, 0.0);
+#else
+    vec4 slotTint = tintOf(row * 3, slot);
+#endif
+    vec3 tint = mix(vec3(1.0), slotTint.rgb, slotTint.w);
     vec3 light = lightAt(n);
     vec3 others = vec3(0.0);
+#ifdef HIGHLIGHTS
+    vec2 gloss = vec2(texelFetch(materials, material + 5).w, texelFetch(materials, material + 6).w);
+    Mirror mirror = mirrorOf(world, gloss, base.rgb * tint);
+    vec3 fromSun = sunColor * glintOf(mirror, n, sunDirection);
+    vec3 fromRest = mirroredSky(mirror, n);
 #ifdef LIGHTS
-    others = lightsAt(world, n);
-    light += others;
+    others = lightsAt(world, n, mirror, fromRest);
 #endif
+    mirrored = vec4(fromSun + fromRest, luminance(fromSun) / max(luminance(fromSun + fromRest), 1e-4));
+    mirrored.rgb *= highlights;
+#elif defined(LIGHTS)
+    others = lightsAt(world, n);
+#endif
+    light += others;
 #ifdef SHADOWED
     shadowed = shadowedOf(world, n, 0.0, others);
 #endif
@@ -191,12 +208,6 @@ void main()
 #ifdef CARTOON
     level = levelOf(light);
 #endif
-#ifdef PAINTED
-    vec4 slotTint = vec4(1.0, 1.0, 1.0, 0.0);
-#else
-    vec4 slotTint = tintOf(row * 3, slot);
-#endif
-    vec3 tint = mix(vec3(1.0), slotTint.rgb, slotTint.w);
 #ifdef REPLACED
     // The tint itself, lighter and darker as the base colour is around its mean.
     bool isReplaced = slot < 8u && ((choices.w & kModesMask) >> slot & 1u) != 0u;
@@ -225,6 +236,9 @@ void main()
 #endif
 #ifdef CUTOUT
     cutoffAndHighlight = vec2(properties.z, highlightOf(instance.x));
+#endif
+#ifdef HIGHLIGHTS
+    base.rgb *= ownColor(mirror);
 #endif
 #ifdef CUTOUT
     color = vec4(base.rgb * light, base.a);

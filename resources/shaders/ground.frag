@@ -27,7 +27,7 @@ void main()
 {
     vec3 result = groundColor;
 #ifdef SHADOWED
-    result *= shadowedLight(shadowed);
+    result *= shadowedLight(shadowed, sunHidden(shadowed));
 #endif
 #ifdef LIGHTS
     result += groundBase * lightsAt(vec3(center.x + place.x, 0.0, center.y + place.y), vec3(0.0, 1.0, 0.0));

@@ -56,7 +56,12 @@ float lightLeft(int light, vec3 world, vec3 normal, float away)
 }
 #endif
 
-vec3 lightsAt(vec3 world, vec3 normal)
+// `mirrored` takes what the surface mirrors of them on top.
+vec3 lightsAt(vec3 world, vec3 normal
+#ifdef HIGHLIGHTS
+              , Mirror mirror, inout vec3 mirrored
+#endif
+)
 {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < LIGHTS; ++i) {
@@ -64,13 +69,17 @@ vec3 lightsAt(vec3 world, vec3 normal)
         float perSquare = 1.0 / max(dot(way, way), 0.25);
         vec3 towards = way * sqrt(perSquare);
         float cone = clamp((dot(towards, lightAxes[i].xyz) - lightAxes[i].w) * lightPlaces[i].w, 0.0, 1.0);
-        float share = max(dot(normal, towards), 0.0) * perSquare * cone * cone;
+        float got = perSquare * cone * cone;
+        float facing = max(dot(normal, towards), 0.0);
 #ifdef LIGHT_SHADOWS
-        if (i < LIGHT_SHADOWS && share > 0.0) {
-            share *= lightLeft(min(i, LIGHT_SHADOWS - 1), world, normal, 1.0 / sqrt(perSquare));
+        if (i < LIGHT_SHADOWS && facing * got > 0.0) {
+            got *= lightLeft(min(i, LIGHT_SHADOWS - 1), world, normal, 1.0 / sqrt(perSquare));
         }
 #endif
-        sum += lightColors[i].rgb * share;
+        sum += lightColors[i].rgb * (facing * got);
+#ifdef HIGHLIGHTS
+        mirrored += lightColors[i].rgb * got * glintOf(mirror, normal, towards);
+#endif
     }
     return sum;
 }

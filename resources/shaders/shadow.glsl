@@ -5,8 +5,8 @@ uniform vec2 shadowSpread; // half the width of a soft edge, on the map
 uniform float shadowStrength;
 uniform vec3 shadowTint; // of what the sky alone lights, against what both do
 
-// What is left of the full light; see shadowedOf in lighting.glsl.
-vec3 shadowedLight(vec4 place)
+// How much of the sun does not get there.
+float sunHidden(vec4 place)
 {
 #if defined(TAPS4) || defined(TAPS8)
     // A turned square of taps, each of which blends four texels.
@@ -29,7 +29,12 @@ vec3 shadowedLight(vec4 place)
 #else
     float seen = texture(shadowMap, place.xyz);
 #endif
-    float dark = shadowStrength * (1.0 - seen);
+    return shadowStrength * (1.0 - seen);
+}
+
+// What is left of the full light; see shadowedOf in lighting.glsl.
+vec3 shadowedLight(vec4 place, float dark)
+{
     return mix(vec3(1.0), place.w * mix(vec3(1.0), shadowTint, 1.0 - place.w), dark);
 }
 #endif

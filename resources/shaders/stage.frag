@@ -8,10 +8,10 @@ in float hazed;
 #ifdef SHADOWED
 in vec4 shadowed;
 #endif
-#if defined(LIGHTS) || defined(LOW_HAZE)
+#if defined(LIGHTS) || defined(LOW_HAZE) || defined(HIGHLIGHTS)
 in vec3 worldPlace;
 #endif
-#ifdef LIGHTS
+#if defined(LIGHTS) || defined(HIGHLIGHTS)
 in vec3 surface;
 in vec3 worldNormal;
 #endif
@@ -24,24 +24,52 @@ uniform sampler2D image;
 in vec2 glowUv;
 uniform sampler2D glowImage;
 #endif
+#ifdef HIGHLIGHTS
+uniform vec2 gloss; // roughness, metallic
+#endif
 uniform float alphaCutoff;
+#ifdef HIGHLIGHTS
+uniform vec3 sunDirection; // towards the sun, unit
+uniform vec3 sunColor;
+#endif
 out vec4 fragment;
 
 void main()
 {
     vec4 result = color;
+#ifdef TEXTURED
+    vec4 texel = texture(image, textureUv);
+#endif
 #ifdef CARTOON
     float share = level;
 #endif
 #ifdef SHADOWED
-    vec3 left = shadowedLight(shadowed);
+    float dark = sunHidden(shadowed);
+    vec3 left = shadowedLight(shadowed, dark);
     result.rgb *= left;
 #ifdef CARTOON
     share *= luminanceOf(left);
 #endif
 #endif
+#ifdef HIGHLIGHTS
+    vec3 n = normalize(worldNormal);
+#ifdef TEXTURED
+    Mirror mirror = mirrorOf(worldPlace, gloss, surface * texel.rgb);
+#else
+    Mirror mirror = mirrorOf(worldPlace, gloss, surface);
+#endif
+    vec3 mirrored = sunColor * glintOf(mirror, n, sunDirection);
+#ifdef SHADOWED
+    mirrored *= 1.0 - dark;
+#endif
+    mirrored += mirroredSky(mirror, n);
+#endif
 #ifdef LIGHTS
+#ifdef HIGHLIGHTS
+    vec3 others = lightsAt(worldPlace, n, mirror, mirrored);
+#else
     vec3 others = lightsAt(worldPlace, normalize(worldNormal));
+#endif
     result.rgb += surface * others;
 #ifdef CARTOON
     share += luminanceOf(others) / fullLight;
@@ -52,10 +80,16 @@ void main()
 #endif
 #ifdef TEXTURED
 #ifdef PAINTED
-    result.a *= texture(image, textureUv).a;
+    result.a *= texel.a;
 #else
-    result *= texture(image, textureUv);
+    result *= texel;
 #endif
+#endif
+#ifdef HIGHLIGHTS
+    result.rgb *= ownColor(mirror);
+    result.rgb = withMirrored(result, mirrored * highlights);
+#endif
+#ifdef TEXTURED
 #ifdef GLOWING
     result.rgb += glow * texture(glowImage, glowUv).rgb;
 #else

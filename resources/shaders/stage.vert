@@ -26,10 +26,10 @@ out vec4 color;
 #ifdef SHADOWED
 out vec4 shadowed;
 #endif
-#if defined(LIGHTS) || defined(LOW_HAZE)
+#if defined(LIGHTS) || defined(LOW_HAZE) || defined(HIGHLIGHTS)
 out vec3 worldPlace;
 #endif
-#ifdef LIGHTS
+#if defined(LIGHTS) || defined(HIGHLIGHTS)
 out vec3 surface; // unlit
 out vec3 worldNormal;
 #endif
@@ -64,10 +64,10 @@ void main()
 #ifdef SHADOWED
     shadowed = shadowedOf(world.xyz, n, own, vec3(0.0));
 #endif
-#if defined(LIGHTS) || defined(LOW_HAZE)
+#if defined(LIGHTS) || defined(LOW_HAZE) || defined(HIGHLIGHTS)
     worldPlace = world.xyz;
 #endif
-#ifdef LIGHTS
+#if defined(LIGHTS) || defined(HIGHLIGHTS)
     surface = base.rgb * (1.0 - own);
     worldNormal = n;
 #endif

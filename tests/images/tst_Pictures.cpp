@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include <array>
+#include <map>
+
 #include <QtCore/QDir>
 #include <QtTest/QTest>
 
 #include "app/commands/SceneSource.h"
 #include "app/pictures/PictureMaker.h"
+#include "model/scene/ReadyLight.h"
+#include "model/view/PropertyPaint.h"
 #include "tests/images/ComparePictures.h"
 #include "tests/program/Test.h"
 #include "tests/render/TestScene.h"
@@ -61,7 +66,13 @@ void setOne(model::Scene& scene, model::IndividualId id, model::ColumnKey<T> key
 model::Scene boxPeople()
 {
     model::Scene scene;
-    scene.templates = {entryFor(makeBoxMan())};
+    const auto man = makeBoxMan();
+    for (model::Slot& slot : man->slots) {
+        for (model::MaterialChoice& choice : slot.choices) {
+            choice.roughness = 0.3F;
+        }
+    }
+    scene.templates = {entryFor(man)};
     scene.population = makeRow(7);
     for (model::IndividualId id = 1; id <= 7; ++id) {
         const auto level = static_cast<std::uint8_t>(30 * id);
@@ -70,10 +81,98 @@ model::Scene boxPeople()
         setOne(scene, id, model::columns::tint(1), model::Tint{level, rest, 90, 255});
         setOne(scene, id, model::columns::heading, 0.5F * static_cast<float>(id));
         setOne(scene, id, model::columns::parts, id % 3 == 0 ? 0U : 1U);
+        setOne(scene, id, model::columns::tags, std::uint64_t{1} << id % 3U);
     }
     scene.cameras.push_back(
         {"front", model::Camera::lookingAt({5.0F, 3.0F, 7.0F}, {3.0F, 0.8F, 0.0F})});
     return scene;
+}
+
+/// From the left of the row of people, onto the third of them.
+model::Light lampOn(model::LightKind kind)
+{
+    model::Light light;
+    light.id = 1;
+    light.kind = kind;
+    light.color = {255, 190, 120};
+    light.position =
+        kind == model::LightKind::Spot ? glm::vec3(-1.0F, 5.0F, 4.0F) : glm::vec3(3.5F, 2.6F, 1.2F);
+    light.target = {2.0F, 1.0F, 0.0F};
+    light.strength = kind == model::LightKind::Spot ? 0.9F : 0.15F;
+    light.castsShadows = true;
+    light.beam = 0.5F;
+    return light;
+}
+
+/// The same people at another time of day, in mist, or at night in the light of a lamp.
+void lightUp(model::Scene& scene, const QString& light)
+{
+    if (light == QLatin1String("mist")) {
+        scene.lighting = model::findReadyLight("dusk")->light;
+        scene.lighting.haze = 0.98F;
+        scene.lighting.hazeHeight = 1.0F;
+    } else if (light == QLatin1String("spot") || light == QLatin1String("point")) {
+        const bool isSpot = light == QLatin1String("spot");
+        scene.lighting = model::findReadyLight("night")->light;
+        scene.lights = {lampOn(isSpot ? model::LightKind::Spot : model::LightKind::Point)};
+    } else if (!light.isEmpty()) {
+        scene.lighting = model::findReadyLight(light.toStdString())->light;
+    }
+}
+
+/// See seesWhatPeopleSee_data.
+void changeOneThing(model::Scene& scene, int change)
+{
+    const std::array<model::IndividualId, 1> one{4};
+    switch (change) {
+    case 0:
+        (void)scene.population.remove(one);
+        break;
+    case 1:
+        setOne(scene, 4, model::columns::tint(1), model::Tint{200, 60, 60, 255});
+        break;
+    case 2:
+        setAll(scene.population, model::columns::tint(0), model::Tint{70, 90, 120, 255});
+        break;
+    case 3:
+        scene.lighting.sunStrength *= 0.85F;
+        break;
+    case 4:
+        scene.lighting.ambientStrength = 0.0F;
+        break;
+    case 5:
+        setOne(scene, 3, model::columns::parts, 1U);
+        break;
+    case 7:
+        scene.lighting.sunAzimuthRadians += 0.4F;
+        break;
+    case 8:
+        scene.lighting.shadowStrength = 0.0F;
+        break;
+    case 9:
+        (void)scene.population.remove(one);
+        break;
+    case 10:
+        scene.lighting.highlights = 0.0F;
+        break;
+    case 11:
+    case 12:
+        scene.lights[0].position.x += 0.8F;
+        scene.lights[0].target.x += 0.8F;
+        break;
+    case 13:
+        scene.lights[0].castsShadows = false;
+        break;
+    case 14:
+        scene.lighting.haze = 0.9F;
+        break;
+    case 15:
+        scene.lighting.hazeHeight = 0.0F;
+        break;
+    default:
+        setOne(scene, 4, model::columns::heading, 0.5F);
+        break;
+    }
 }
 
 QString accepted(const QString& name)
@@ -114,6 +213,10 @@ QImage tst_Pictures::draw(const model::Scene& scene, const char* camera, render:
     static std::uint64_t version = 0;
     request.seatsVersion = ++version;
     request.lighting = scene.lighting;
+    request.lights = scene.lights;
+    if (render::lookInfo(look).isByProperty) {
+        request.frame = model::framePaintedBy(scene, *frame, "tag");
+    }
     const auto found = std::ranges::find(scene.cameras, camera, &model::NamedCamera::name);
     request.camera = (found == scene.cameras.end() ? scene.cameras.front() : *found).camera;
     request.size = kSize * scale;
@@ -133,19 +236,33 @@ void tst_Pictures::looksAsBefore_data()
     QTest::addColumn<QString>("scene");
     QTest::addColumn<QString>("camera");
     QTest::addColumn<int>("look");
+    QTest::addColumn<QString>("light");
     const int lit = static_cast<int>(render::Look::Lit);
     const QString theatre = QStringLiteral("/scenes/theatre.crowd");
-    QTest::newRow("theatre_audience") << theatre << QStringLiteral("Audience") << lit;
-    QTest::newRow("theatre_close") << theatre << QStringLiteral("Close") << lit;
+    QTest::newRow("theatre_audience") << theatre << QStringLiteral("Audience") << lit << QString();
+    QTest::newRow("theatre_close") << theatre << QStringLiteral("Close") << lit << QString();
     for (const char* name : {"city", "meadow", "stadium"}) {
         QTest::newRow(name) << QStringLiteral("/scenes/%1.crowd").arg(QLatin1String(name))
-                            << QString() << lit;
+                            << QString() << lit << QString();
     }
-    QTest::newRow("stage_alone") << QStringLiteral("/stages/theatre.glb") << QString() << lit;
-    QTest::newRow("man") << QStringLiteral("/templates/man.glb") << QString() << lit;
-    QTest::newRow("box_people") << QString() << QString() << lit;
-    QTest::newRow("box_people_plain")
-        << QString() << QString() << static_cast<int>(render::Look::Plain);
+    QTest::newRow("stage_alone") << QStringLiteral("/stages/theatre.glb") << QString() << lit
+                                 << QString();
+    QTest::newRow("man") << QStringLiteral("/templates/man.glb") << QString() << lit << QString();
+    QTest::newRow("box_people") << QString() << QString() << lit << QString();
+    for (const render::LookInfo& look : render::kLooks) {
+        if (look.look != render::Look::Lit) {
+            QTest::addRow("box_people_%s", look.key)
+                << QString() << QString() << static_cast<int>(look.look) << QString();
+        }
+    }
+    for (const model::ReadyLight& light : model::readyLights()) {
+        QTest::addRow("box_people_%s", light.key)
+            << QString() << QString() << lit << QString::fromLatin1(light.key);
+    }
+    for (const char* light : {"spot", "point", "mist"}) {
+        QTest::addRow("box_people_%s", light)
+            << QString() << QString() << lit << QString::fromLatin1(light);
+    }
 }
 
 void tst_Pictures::looksAsBefore()
@@ -153,9 +270,12 @@ void tst_Pictures::looksAsBefore()
     QFETCH(const QString, scene);
     QFETCH(const QString, camera);
     QFETCH(const int, look);
+    QFETCH(const QString, light);
     const QString name = QString::fromLatin1(QTest::currentDataTag());
-    const QImage picture = draw(scene.isEmpty() ? boxPeople() : loaded(scene.toUtf8().constData()),
-                                camera.toUtf8().constData(), static_cast<render::Look>(look));
+    model::Scene shown = scene.isEmpty() ? boxPeople() : loaded(scene.toUtf8().constData());
+    lightUp(shown, light);
+    const QImage picture =
+        draw(shown, camera.toUtf8().constData(), static_cast<render::Look>(look));
     if (qEnvironmentVariableIsSet("CROWD_ACCEPT_PICTURES")) {
         QVERIFY(picture.save(accepted(name)));
         QSKIP("The picture is accepted as it is now.");
@@ -189,6 +309,12 @@ void tst_Pictures::seesWhatPeopleSee_data()
     QTest::newRow("a sun elsewhere") << 7;
     QTest::newRow("no shadows") << 8;
     QTest::newRow("a caster too few, who is out of the picture") << 9;
+    QTest::newRow("no highlights") << 10;
+    QTest::newRow("a spotlight elsewhere") << 11;
+    QTest::newRow("a light to all sides a bit elsewhere") << 12;
+    QTest::newRow("no shadows of a spotlight") << 13;
+    QTest::newRow("less mist") << 14;
+    QTest::newRow("mist that does not lie low") << 15;
 }
 
 void tst_Pictures::seesWhatPeopleSee()
@@ -201,40 +327,14 @@ void tst_Pictures::seesWhatPeopleSee()
         scene.lighting.sunAzimuthRadians = 0.1F;
         scene.lighting.sunElevationRadians = 0.5F;
     }
-    const QImage before = draw(scene);
-    const std::array<model::IndividualId, 1> one{4};
-    switch (change) {
-    case 0:
-        (void)scene.population.remove(one);
-        break;
-    case 1:
-        setOne(scene, 4, model::columns::tint(1), model::Tint{200, 60, 60, 255});
-        break;
-    case 2:
-        setAll(scene.population, model::columns::tint(0), model::Tint{70, 90, 120, 255});
-        break;
-    case 3:
-        scene.lighting.sunStrength *= 0.85F;
-        break;
-    case 4:
-        scene.lighting.ambientStrength = 0.0F;
-        break;
-    case 5:
-        setOne(scene, 3, model::columns::parts, 1U);
-        break;
-    case 7:
-        scene.lighting.sunAzimuthRadians += 0.4F;
-        break;
-    case 8:
-        scene.lighting.shadowStrength = 0.0F;
-        break;
-    case 9:
-        (void)scene.population.remove(one);
-        break;
-    default:
-        setOne(scene, 4, model::columns::heading, 0.5F);
-        break;
+    static const std::map<int, const char*> lights{
+        {11, "spot"}, {12, "point"}, {13, "spot"}, {14, "mist"}, {15, "mist"}};
+    if (const auto light = lights.find(change); light != lights.end()) {
+        lightUp(scene, QLatin1String(light->second));
     }
+    scene.lighting.highlights = change == 10 ? 2.0F : 1.0F;
+    const QImage before = draw(scene);
+    changeOneThing(scene, change);
     const PictureDifference difference = comparePictures(before, draw(scene));
     QVERIFY2(difference.isVisible(), qPrintable(told(difference)));
 }

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include <QtCore/QBuffer>
+#include <QtGui/QColor>
 #include <QtGui/QImage>
 #include <QtTest/QTest>
 
@@ -23,6 +24,8 @@ private Q_SLOTS:
     void offersVariantsAsChoices();
     void readsTexturesWithTheirTransform();
     void shinesByItsPictureAlone();
+    void knowsWhatIsSmooth();
+    void takesTheMeanOfPicturesOfSmoothness();
 
 private:
     GltfFolder m_folder;
@@ -172,6 +175,78 @@ void tst_GltfMaterials::shinesByItsPictureAlone()
     // A picture that a black factor puts out is not even read.
     material["emissiveFactor"] = {0, 0, 0};
     QVERIFY(m_folder.load(builder)->warnings.empty());
+}
+
+void tst_GltfMaterials::knowsWhatIsSmooth()
+{
+    GltfBuilder builder = GltfBuilder::triangle();
+    primitive(builder)["material"] = 0;
+    const auto choiceOf = [&](const Json& material) {
+        builder.root["materials"] = {material};
+        return m_folder.load(builder)->slots[0].choices[0];
+    };
+    const auto is = [](const MaterialChoice& choice, float roughness, float metallic) {
+        return std::abs(choice.roughness - roughness) < 1e-4F &&
+               std::abs(choice.metallic - metallic) < 1e-4F;
+    };
+    QVERIFY(is(choiceOf({{"name", "none said"}}), 1.0F, 1.0F)); // as the standard has it
+    const Json smooth = {{"roughnessFactor", 0.25}, {"metallicFactor", 0.5}};
+    QVERIFY(is(choiceOf({{"pbrMetallicRoughness", smooth}}), 0.25F, 0.5F));
+    const Json unlit = {{"KHR_materials_unlit", Json::object()}};
+    QVERIFY(is(choiceOf({{"pbrMetallicRoughness", smooth}, {"extensions", unlit}}), 1.0F, 0.0F));
+    const Json glossy = {{"KHR_materials_pbrSpecularGlossiness", {{"glossinessFactor", 0.7}}}};
+    QVERIFY(is(choiceOf({{"extensions", glossy}}), 0.3F, 0.0F));
+    const Json odd = {{"roughnessFactor", -3}, {"metallicFactor", 1e30}};
+    const TemplatePtr asset = [&] {
+        builder.root["materials"] = {{{"pbrMetallicRoughness", odd}}};
+        return m_folder.load(builder);
+    }();
+    QVERIFY(asset == nullptr || is(asset->slots[0].choices[0], 0.0F, 1.0F));
+}
+
+/// Green is roughness, blue metal; pictures that cannot be read leave nothing that shines.
+void tst_GltfMaterials::takesTheMeanOfPicturesOfSmoothness()
+{
+    QImage picture(2, 1, QImage::Format_RGBA8888);
+    picture.setPixelColor(0, 0, QColor(0, 255, 0, 255));
+    picture.setPixelColor(1, 0, QColor(0, 51, 255, 0));
+    QByteArray png;
+    QBuffer buffer(&png);
+    QVERIFY(picture.save(&buffer, "PNG"));
+    GltfBuilder builder = GltfBuilder::triangle();
+    const int view = builder.view(std::vector<std::uint8_t>(png.begin(), png.end()));
+    builder.add("images", {{"bufferView", view}, {"mimeType", "image/png"}});
+    builder.add("images", {{"uri", "gone.png"}});
+    builder.add("textures", {{"source", 0}});
+    builder.add("textures", {{"source", 1}});
+    builder.add("materials", Json::object());
+    primitive(builder)["material"] = 0;
+    Json& material = builder.root["materials"][0];
+    material["pbrMetallicRoughness"] = {{"roughnessFactor", 0.5},
+                                        {"metallicRoughnessTexture", {{"index", 0}}}};
+    TemplatePtr asset = m_folder.load(builder);
+    MaterialChoice choice = asset->slots[0].choices[0];
+    QVERIFY2(std::abs(choice.roughness - 0.3F) < 1e-4F,
+             qPrintable(QString::number(choice.roughness)));
+    QVERIFY(std::abs(choice.metallic - 0.5F) < 1e-4F);
+    QVERIFY2(asset->images.empty(), "a picture of which the mean is taken is not kept");
+    QVERIFY(asset->warnings.empty());
+    // One picture for colour and smoothness.
+    material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+    asset = m_folder.load(builder);
+    QVERIFY(std::abs(asset->slots[0].choices[0].roughness - 0.3F) < 1e-4F);
+    QCOMPARE(asset->images.size(), std::size_t{1});
+    material["pbrMetallicRoughness"] = {{"metallicRoughnessTexture", {{"index", 1}}}};
+    asset = m_folder.load(builder);
+    choice = asset->slots[0].choices[0];
+    QCOMPARE(choice.roughness, 1.0F);
+    QCOMPARE(choice.metallic, 0.0F);
+    QCOMPARE(asset->warnings.size(), std::size_t{1});
+    material = {{"extensions",
+                 {{"KHR_materials_pbrSpecularGlossiness",
+                   {{"specularGlossinessTexture", {{"index", 0}}}}}}}};
+    asset = m_folder.load(builder);
+    QVERIFY(std::abs(asset->slots[0].choices[0].roughness - 0.5F) < 1e-4F); // half of it is clear
 }
 
 CROWD_TEST(tst_GltfMaterials)
