@@ -80,6 +80,13 @@ struct LevelThresholds
     [[nodiscard]] static LevelThresholds fullDetail() { return {{0.0F, 0.0F, 0.0F}, 0.0F}; }
 };
 
+/// What is sharp in a picture, and how soft the rest. No effect on orthographic views.
+struct Lens
+{
+    float focusMetres = 10.0F;   ///< along the view axis
+    float radiusMetres = 0.025F; ///< of the opening that light comes through
+};
+
 struct RenderInput
 {
     RenderInput(const model::View& pictureView, model::KeyframeStore& store)
@@ -108,6 +115,9 @@ struct RenderInput
     /// 0, is seen through other parts of the pixels, and what is shown is the mean of all so far.
     /// None: a picture by itself.
     std::optional<int> ripeness = std::nullopt;
+    /// Pictures that ripen are seen through another part of it each time, also the first; none:
+    /// everything is sharp.
+    std::optional<Lens> lens = std::nullopt;
 
     std::span<const model::IndividualId> selected; ///< ascending
     model::IndividualId hovered = 0;

@@ -2,10 +2,12 @@
 #include "render/Renderer.h"
 
 #include <chrono>
+#include <cmath>
 #include <cstring>
 #include <string>
 
 #include <epoxy/gl.h>
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "render/gl/Blending.h"
@@ -61,16 +63,41 @@ float halton(int n, int base)
     return sum;
 }
 
-/// Of a picture that ripens, through another part of the pixels each time; the first as it is.
+/// Through the n-th place of the lens, so that what is in focus stays where it is. The places fill
+/// a disc evenly, however many are taken (M. Roberts, 2018).
+glm::mat4 throughLens(const model::View& view, const Lens& lens, int n)
+{
+    const double count = n;
+    const auto share = static_cast<float>(std::fmod(0.5 + count * 0.7548776662466927, 1.0));
+    const auto turn =
+        static_cast<float>(std::fmod(count * 0.5698402909980532, 1.0)) * glm::two_pi<float>();
+    const glm::vec2 place =
+        lens.radiusMetres * std::sqrt(share) * glm::vec2(std::cos(turn), std::sin(turn));
+    const glm::mat4& projection = view.projectionMatrix();
+    const glm::vec2 shift =
+        place * glm::vec2(projection[0][0], projection[1][1]) / lens.focusMetres;
+    return glm::translate(glm::mat4(1.0F), {shift.x, shift.y, 0.0F}) * projection *
+           glm::translate(glm::mat4(1.0F), {-place.x, -place.y, 0.0F}) * view.viewMatrix();
+}
+
+/// Of a picture that ripens, through another part of the pixels and of the lens each time; without
+/// a lens the first as it is.
 glm::mat4 shiftedViewProjection(const RenderInput& input, glm::ivec2 size)
 {
-    const int n = input.ripeness.value_or(0);
-    if (n == 0) {
+    if (!input.ripeness) {
         return input.view.viewProjection();
+    }
+    const int n = *input.ripeness;
+    const bool hasLens =
+        input.lens && input.view.camera().projection == model::Projection::Perspective;
+    const glm::mat4 seen =
+        hasLens ? throughLens(input.view, *input.lens, n) : input.view.viewProjection();
+    if (n == 0) {
+        return seen;
     }
     const glm::vec2 part(halton(n, 2) - 0.5F, halton(n, 3) - 0.5F);
     const glm::vec2 clip = 2.0F * part / glm::vec2(size);
-    return glm::translate(glm::mat4(1.0F), {clip.x, clip.y, 0.0F}) * input.view.viewProjection();
+    return glm::translate(glm::mat4(1.0F), {clip.x, clip.y, 0.0F}) * seen;
 }
 
 bool isSoftwareRenderer()

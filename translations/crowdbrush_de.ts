@@ -1412,8 +1412,8 @@
     <message numerus="yes">
         <source>%n characters dressed</source>
         <translation>
-            <numerusform>%n Figur eingekleidet</numerusform>
-            <numerusform>%n Figuren eingekleidet</numerusform>
+            <numerusform>%n Figur anders gekleidet</numerusform>
+            <numerusform>%n Figuren anders gekleidet</numerusform>
         </translation>
     </message>
     <message>
@@ -3476,6 +3476,14 @@
         <source>The height above the ground at which a third of it is left, as of mist over a square; 0: it is everywhere alike</source>
         <translation>Die Höhe über dem Boden, in der noch ein Drittel davon übrig ist, wie bei Nebel über einem Platz; 0: überall gleich</translation>
     </message>
+    <message>
+        <source>Highlights</source>
+        <translation>Glanz</translation>
+    </message>
+    <message>
+        <source>How strongly what is smooth, as water, glass, metal and skin, mirrors the sun, the lamps and the sky; 0: not</source>
+        <translation>Wie stark Glattes wie Wasser, Glas, Metall und Haut Sonne, Lampen und Himmel spiegelt; 0: gar nicht</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -5196,6 +5204,22 @@
     <message>
         <source>People cannot be coloured by “%1”. There are: %2.</source>
         <translation>Nach „%1“ können Figuren nicht gefärbt werden. Es gibt: %2.</translation>
+    </message>
+    <message>
+        <source>An orthographic camera has no lens: everything is sharp. Take a camera with perspective, or leave out depth of field.</source>
+        <translation>Eine orthographische Kamera hat keine Linse: Alles ist scharf. Wählen Sie eine perspektivische Kamera, oder lassen Sie die Schärfentiefe weg.</translation>
+    </message>
+    <message>
+        <source>The distance of focus must be from 0.01 to 1000000 metres.</source>
+        <translation>Die Entfernung der Schärfe muss zwischen 0,01 und 1000000 Metern liegen.</translation>
+    </message>
+    <message>
+        <source>The f-stop must be from 0.01 to 1000; the smaller, the less is sharp.</source>
+        <translation>Die Blendenzahl muss zwischen 0,01 und 1000 liegen; je kleiner, desto weniger ist scharf.</translation>
+    </message>
+    <message>
+        <source>The picture was stopped.</source>
+        <translation>Das Bild wurde abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -8381,6 +8405,46 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Size</source>
         <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Depth of field</source>
+        <translation>Schärfentiefe</translation>
+    </message>
+    <message>
+        <source>What is nearer or farther than a distance is soft, as through a lens. Drawing takes longer.</source>
+        <translation>Was näher oder ferner als eine Entfernung ist, wird unscharf, wie durch eine Linse. Das Zeichnen dauert länger.</translation>
+    </message>
+    <message>
+        <source>An orthographic camera has no lens: everything is sharp.</source>
+        <translation>Eine orthographische Kamera hat keine Linse: Alles ist scharf.</translation>
+    </message>
+    <message>
+        <source>What the camera turns around</source>
+        <translation>Worum sich die Kamera dreht</translation>
+    </message>
+    <message>
+        <source>Who is selected</source>
+        <translation>Wer ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>Another distance</source>
+        <translation>Andere Entfernung</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>The opening of the lens: the smaller the number, the less is sharp. 1 to 8 as of a camera for photographs, 0.1 as of a model on a table</source>
+        <translation>Die Öffnung der Linse: Je kleiner die Zahl, desto weniger ist scharf. 1 bis 8 wie bei einem Fotoapparat, 0,1 wie bei einem Modell auf dem Tisch</translation>
+    </message>
+    <message>
+        <source>Sharp</source>
+        <translation>Scharf</translation>
+    </message>
+    <message>
+        <source>F-stop</source>
+        <translation>Blende</translation>
     </message>
 </context>
 <context>

@@ -3476,6 +3476,14 @@
         <source>The height above the ground at which a third of it is left, as of mist over a square; 0: it is everywhere alike</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Highlights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How strongly what is smooth, as water, glass, metal and skin, mirrors the sun, the lamps and the sky; 0: not</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -5195,6 +5203,22 @@
     </message>
     <message>
         <source>People cannot be coloured by “%1”. There are: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An orthographic camera has no lens: everything is sharp. Take a camera with perspective, or leave out depth of field.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The distance of focus must be from 0.01 to 1000000 metres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The f-stop must be from 0.01 to 1000; the smaller, the less is sharp.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture was stopped.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8375,6 +8399,46 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth of field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is nearer or farther than a distance is soft, as through a lens. Drawing takes longer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An orthographic camera has no lens: everything is sharp.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the camera turns around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The opening of the lens: the smaller the number, the less is sharp. 1 to 8 as of a camera for photographs, 0.1 as of a model on a table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sharp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F-stop</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

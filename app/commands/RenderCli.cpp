@@ -52,6 +52,12 @@ void addRenderCommand(CLI::App& cli, RenderOptions& options, int& status)
     command->add_option("--by", options.by,
                         "What people are coloured by: template, group, tag, clip, height, density, "
                         "a property that is a number, or feature:KIND");
+    command->add_option("--focus", options.focusMetres,
+                        "Depth of field: metres from the camera to what is sharp; without it, what "
+                        "the camera turns around");
+    command->add_option("--f-stop", options.fStop,
+                        "Depth of field: the smaller, the less is sharp; 0.5 where only --focus is "
+                        "given");
     command->add_option("--frames", options.frames, "Draw frames A-B");
     command->add_option("--fps", options.framesPerSecond, "Frames per second")
         ->capture_default_str();

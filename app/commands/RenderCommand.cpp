@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "app/commands/InterruptGuard.h"
 #include "app/commands/RenderPlan.h"
 #include "app/commands/SceneSource.h"
 #include "app/commands/SimulationProgress.h"
+#include "app/pictures/LensWish.h"
 #include "app/pictures/PictureFile.h"
 #include "app/pictures/PictureMaker.h"
 #include "behavior/session/SceneMotion.h"
@@ -45,7 +47,8 @@ model::Result<model::Camera> cameraNamed(const model::Scene& scene, const std::s
 class ScenePictures
 {
 public:
-    ScenePictures(model::Scene scene, const model::Camera& camera, const RenderPlan& plan)
+    ScenePictures(model::Scene scene, const model::Camera& camera, const RenderPlan& plan,
+                  const std::optional<render::Lens>& lens)
         : m_scene(std::move(scene)), m_seats(m_scene.worldSeats()), m_motion(m_scene),
           m_property(plan.property)
     {
@@ -56,6 +59,7 @@ public:
         m_request.camera = camera;
         m_request.size = plan.size;
         m_request.look = plan.look;
+        m_request.lens = lens;
     }
     ScenePictures(const ScenePictures&) = delete;
     ScenePictures& operator=(const ScenePictures&) = delete;
@@ -149,6 +153,10 @@ int runRender(const RenderOptions& options)
     if (!camera) {
         return fail(camera.error());
     }
+    const auto lens = lensOf({options.focusMetres, options.fStop}, camera.value());
+    if (!lens) {
+        return fail(lens.error(), kBadUsage);
+    }
     if (auto known = model::checkProperty(scene.value(), plan.value().property); !known) {
         return fail(known.error(), kBadUsage);
     }
@@ -156,7 +164,7 @@ int runRender(const RenderOptions& options)
         return fail(complete.error());
     }
     InterruptGuard::install();
-    ScenePictures pictures(std::move(scene).value(), camera.value(), plan.value());
+    ScenePictures pictures(std::move(scene).value(), camera.value(), plan.value(), lens.value());
     if (auto opened = pictures.open(); !opened) {
         return fail(opened.error());
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace crowd::app {
@@ -17,6 +18,8 @@ struct RenderOptions
     std::string look = "lit";
     std::string by;     ///< property that people are coloured by; empty: as the look is
     std::string frames; ///< "A-B"
+    std::optional<double> focusMetres; ///< and the next: depth of field
+    std::optional<double> fStop;
     double framesPerSecond = 30.0;
     bool allowsMissing = false; ///< draws without characters and stages that cannot be had
 };

@@ -5,6 +5,10 @@ namespace crowd::app {
 
 namespace {
 
+/// Places of a lens that a picture is seen through: enough that single ones are not told apart
+/// where bright things are soft.
+constexpr int kPlacesOfLens = 96;
+
 render::RenderInput inputOf(const PictureRequest& request, model::KeyframeStore& keyframes)
 {
     render::RenderInput input(model::View(request.camera, glm::vec2(request.size)), keyframes);
@@ -18,6 +22,7 @@ render::RenderInput inputOf(const PictureRequest& request, model::KeyframeStore&
     input.look = request.look;
     input.showShadows = request.showShadows;
     input.isTransparent = request.isTransparent;
+    input.lens = request.lens;
     input.levels.hysteresis = 0.0F; // a picture does not depend on the one before
     return input;
 }
@@ -45,7 +50,8 @@ PictureMaker::~PictureMaker()
     }
 }
 
-model::Result<void> PictureMaker::draw(const PictureRequest& request)
+model::Result<void> PictureMaker::draw(const PictureRequest& request,
+                                       const model::KeepGoing& keepGoing)
 {
     if (!m_context->makeCurrent()) {
         return model::Error{QT_TRANSLATE_NOOP(
@@ -63,6 +69,22 @@ model::Result<void> PictureMaker::draw(const PictureRequest& request)
         }
     }
     m_hasDrawn = true;
+    return drawn && input.lens ? ripen(input, keepGoing) : drawn;
+}
+
+/// The mean of pictures through all of the lens.
+model::Result<void> PictureMaker::ripen(render::RenderInput input,
+                                        const model::KeepGoing& keepGoing)
+{
+    input.samples = 0; // the mean has smooth edges
+    model::Result<void> drawn;
+    for (int n = 0; n < kPlacesOfLens && drawn; ++n) {
+        if (keepGoing && !keepGoing(static_cast<float>(n) / kPlacesOfLens)) {
+            return model::Error{QT_TRANSLATE_NOOP("Messages", "The picture was stopped.")};
+        }
+        input.ripeness = n;
+        drawn = m_renderer.draw(input);
+    }
     return drawn;
 }
 

@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
+#include "model/base/KeepGoing.h"
 #include "model/base/Result.h"
 #include "model/scene/CrowdFrame.h"
 #include "render/OffscreenContext.h"
@@ -28,7 +30,8 @@ struct PictureRequest
     glm::ivec2 size{1280, 720}; ///< pixels
     render::Look look = render::Look::Lit;
     bool showShadows = true;
-    bool isTransparent = false; ///< see render::RenderInput
+    bool isTransparent = false;         ///< see render::RenderInput
+    std::optional<render::Lens> lens{}; ///< none: everything is sharp
 };
 
 /// Draws scenes without a window: owns a context and a renderer. Used on the thread that made it,
@@ -44,7 +47,9 @@ public:
     PictureMaker& operator=(const PictureMaker&) = delete;
 
     /// Waits until all clips in the picture are baked. What was drawn before makes no difference.
-    [[nodiscard]] model::Result<void> draw(const PictureRequest& request);
+    /// An error where it is stopped.
+    [[nodiscard]] model::Result<void> draw(const PictureRequest& request,
+                                           const model::KeepGoing& keepGoing = {});
     /// The last picture: RGBA8, sRGB, rows from the top.
     [[nodiscard]] std::vector<std::uint8_t> pixels() const { return m_renderer.readPixels(); }
     /// Until the next picture the context belongs to no thread.
@@ -55,6 +60,8 @@ private:
     explicit PictureMaker(model::KeyframeStore& keyframes) : m_keyframes(keyframes) {}
 
     [[nodiscard]] model::Result<void> drawComplete(const render::RenderInput& input);
+    [[nodiscard]] model::Result<void> ripen(render::RenderInput input,
+                                            const model::KeepGoing& keepGoing);
 
     model::KeyframeStore& m_keyframes;
     bool m_hasDrawn = false;

@@ -14,6 +14,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "app/pictures/LensWish.h"
 #include "app/python/ScriptScene.h"
 #include "model/base/Result.h"
 #include "model/brush/changes/Push.h"
@@ -155,6 +156,7 @@ struct LookKey
 {
     std::string look;
     std::string by; ///< property that people are coloured by; empty: none
+    LensWish lens{};
 };
 
 /// crowdbrush.Picture of the scene at a time, or of this frame.

@@ -96,7 +96,8 @@ void refuseMissing(const Scene& scene)
 }
 
 py::object picture(const ScenePtr& scene, int width, int height, const CameraKey& camera,
-                   double time, const std::string& look, const std::string& by, bool allowsMissing,
+                   double time, const std::string& look, const std::string& by,
+                   std::optional<double> focus, std::optional<double> fStop, bool allowsMissing,
                    const LongCall::Listener& progress)
 {
     if (!(std::abs(time) <= behavior::kMostSceneSeconds)) {
@@ -107,7 +108,8 @@ py::object picture(const ScenePtr& scene, int width, int height, const CameraKey
         refuseMissing(*scene->scene());
     }
     LongCall call(progress);
-    return pictureOf(*scene, {width, height}, camera, {look, by}, time, nullptr, call);
+    return pictureOf(*scene, {width, height}, camera, {look, by, {focus, fStop}}, time, nullptr,
+                     call);
 }
 
 void savePicture(const FilePath& path, const py::array_t<std::uint8_t, py::array::c_style>& array)
@@ -249,14 +251,20 @@ py::object pictureOf(ScriptScene& scene, const glm::ivec2& size, const CameraKey
     request.seconds = time;
     request.frame = std::move(frame);
     chooseLook(request, *scene.scene(), look);
+    request.lens = look.lens;
     constexpr double kSimulated = 0.9; // the rest is drawn
     request.patience = [&call](Waiting& waiting, const std::function<void()>& work) {
         mindingSignals(waiting.isCancelled, work,
                        [&] { return call.hook()(kSimulated * waiting.share); });
         call.raise();
     };
+    request.keepGoing = [&call](double share) {
+        return call.hook()(kSimulated + (1.0 - kSimulated) * share);
+    };
     waitForPictures(scene);
-    const std::vector<std::uint8_t> pixels = valueOrRaise(scene.pictures().picture(scene, request));
+    const auto drawn = scene.pictures().picture(scene, request);
+    call.raise(); // what stopped it says more than that it was
+    const std::vector<std::uint8_t> pixels = valueOrRaise(drawn);
     (void)call.hook()(1.0);
     call.raise();
     const py::array_t<std::uint8_t> array({size.y, size.x, 4}, pixels.data());
@@ -270,11 +278,15 @@ void bindPictures(py::module_& module, SceneClass& scene)
     scene.def(
         "render", &picture, py::arg("width"), py::arg("height"), py::kw_only(),
         py::arg("camera") = CameraKey(), py::arg("time") = 0.0, py::arg("look") = "lit",
-        py::arg("by") = "", py::arg("allow_missing") = false, py::arg("progress") = py::none(),
+        py::arg("by") = "", py::arg("focus") = py::none(), py::arg("f_stop") = py::none(),
+        py::arg("allow_missing") = false, py::arg("progress") = py::none(),
         "The picture as height × width × 4 uint8. Needs no display. time: seconds, at most a "
         "week. by: what people are coloured by, in the look \"property\": \"template\", "
         "\"group\", \"tag\", \"clip\", \"height\", \"density\", a property that is a number, or "
-        "\"feature:KIND\". Where a stage, or a character of whom there is somebody, could not be "
+        "\"feature:KIND\". focus (metres from the camera; without it, what the camera turns "
+        "around) and f_stop (the smaller, the less is sharp; 0.5 without it): depth of field, "
+        "where "
+        "either is given. Where a stage, or a character of whom there is somebody, could not be "
         "loaded, it fails and says what is missing, unless allow_missing. " CROWD_PROGRESS_DOC);
 }
 

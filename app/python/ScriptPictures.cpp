@@ -113,7 +113,12 @@ Result<std::vector<std::uint8_t>> ScriptPictures::draw(ScriptScene& script,
     if (!camera) {
         return camera.error();
     }
+    const auto lens = lensOf(picture.lens, camera.value());
+    if (!lens) {
+        return lens.error();
+    }
     PictureRequest request;
+    request.lens = lens.value();
     request.frame =
         picture.frame ? picture.frame : frameAt(script, picture.seconds, picture.patience);
     if (!m_maker) {
@@ -136,7 +141,7 @@ Result<std::vector<std::uint8_t>> ScriptPictures::draw(ScriptScene& script,
     if (render::lookInfo(picture.look).isByProperty) {
         request.frame = framePaintedBy(*shown, *request.frame, picture.property);
     }
-    const auto drawn = m_maker->draw(request);
+    const auto drawn = m_maker->draw(request, picture.keepGoing);
     std::vector<std::uint8_t> pixels = drawn ? m_maker->pixels() : std::vector<std::uint8_t>();
     m_maker->release(); // the next one may be wanted on another thread
     if (!drawn) {

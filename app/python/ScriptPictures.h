@@ -11,6 +11,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/pictures/LensWish.h"
 #include "app/pictures/PictureMaker.h"
 #include "model/bake/KeyframeStore.h"
 #include "model/scene/Scene.h"
@@ -42,6 +43,8 @@ struct ScriptPicture
     model::CrowdFramePtr frame;          ///< people; null: as the scene shows them at that time
     render::Look look = render::Look::Lit;
     std::string property = "template"; ///< of the look "property"
+    LensWish lens{};
+    model::KeepGoing keepGoing{}; ///< of drawing
     Patience patience = [](Waiting&, const std::function<void()>& work) { work(); };
 };
 

@@ -140,12 +140,13 @@ py::list takeLog(ScriptSession& session)
 }
 
 py::object pictureNow(ScriptSession& session, int width, int height, const CameraKey& camera,
-                      const std::string& look, const std::string& by)
+                      const std::string& look, const std::string& by, std::optional<double> focus,
+                      std::optional<double> fStop)
 {
     const CrowdFramePtr frame = frameOf(session);
     LongCall call({});
-    return pictureOf(*session.scene(), {width, height}, camera, {look, by}, frame->seconds, frame,
-                     call);
+    return pictureOf(*session.scene(), {width, height}, camera, {look, by, {focus, fStop}},
+                     frame->seconds, frame, call);
 }
 
 using SessionClass = py::class_<ScriptSession, std::shared_ptr<ScriptSession>>;
@@ -229,6 +230,7 @@ void bindPeople(SessionClass& session)
              "people stand or sit another way than before.")
         .def("render", &pictureNow, py::arg("width"), py::arg("height"), py::kw_only(),
              py::arg("camera") = CameraKey(), py::arg("look") = "lit", py::arg("by") = "",
+             py::arg("focus") = py::none(), py::arg("f_stop") = py::none(),
              "As Scene.render, but as everybody is after the last step.");
 }
 

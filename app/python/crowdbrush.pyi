@@ -1367,14 +1367,16 @@ class Scene:
     def seats(self) -> Dict[Any, Any]:
         """Arrays by name: id, position (N×3, metres), heading (radians), rank, wedge, and free
         (bool)."""
-    def render(self, width: int, height: int, *, camera: Union[None, str, Camera] = ..., time: float = ..., look: str = ..., by: str = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> Picture:
+    def render(self, width: int, height: int, *, camera: Union[None, str, Camera] = ..., time: float = ..., look: str = ..., by: str = ..., focus: Optional[float] = ..., f_stop: Optional[float] = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> Picture:
         """The picture as height × width × 4 uint8. Needs no display. time: seconds, at most a
         week. by: what people are coloured by, in the look "property": "template", "group",
         "tag", "clip", "height", "density", a property that is a number, or "feature:KIND".
-        Where a stage, or a character of whom there is somebody, could not be loaded, it fails
-        and says what is missing, unless allow_missing. progress: is called with the share
-        that is done, 0 to 1, some times a second; what it raises, as Ctrl+C, ends the call,
-        which takes back what it did."""
+        focus (metres from the camera; without it, what the camera turns around) and f_stop
+        (the smaller, the less is sharp; 0.5 without it): depth of field, where either is
+        given. Where a stage, or a character of whom there is somebody, could not be loaded,
+        it fails and says what is missing, unless allow_missing. progress: is called with the
+        share that is done, 0 to 1, some times a second; what it raises, as Ctrl+C, ends the
+        call, which takes back what it did."""
     @property
     def templates(self) -> List[Template]:
         """Characters to make copies of."""
@@ -1587,7 +1589,7 @@ class Picture(numpy.ndarray[Any, Any]):
 
 class Lighting:
     """Sun, sky and ground. Angles in radians, colours sRGB 0–1."""
-    def __init__(self, *, sun_azimuth: float = ..., sun_elevation: float = ..., sun_color: Sequence[float] = ..., sun_strength: float = ..., shadow_strength: float = ..., shadow_softness: float = ..., ambient_color: Sequence[float] = ..., ambient_strength: float = ..., occlusion: float = ..., sky_zenith: Sequence[float] = ..., sky_horizon: Sequence[float] = ..., ground: Sequence[float] = ..., ground_grid: bool = ..., haze: float = ..., haze_height: float = ..., exposure: float = ..., white: float = ..., tone: Any = ...) -> None:
+    def __init__(self, *, sun_azimuth: float = ..., sun_elevation: float = ..., sun_color: Sequence[float] = ..., sun_strength: float = ..., shadow_strength: float = ..., shadow_softness: float = ..., highlights: float = ..., ambient_color: Sequence[float] = ..., ambient_strength: float = ..., occlusion: float = ..., sky_zenith: Sequence[float] = ..., sky_horizon: Sequence[float] = ..., ground: Sequence[float] = ..., ground_grid: bool = ..., haze: float = ..., haze_height: float = ..., exposure: float = ..., white: float = ..., tone: Any = ...) -> None:
         ...
     @property
     def sun_azimuth(self) -> float:
@@ -1624,6 +1626,12 @@ class Lighting:
         """the angle that the sun takes in the sky: the larger, the softer its shadows"""
     @shadow_softness.setter
     def shadow_softness(self, value: float) -> None:
+        ...
+    @property
+    def highlights(self) -> float:
+        """how strongly smooth surfaces mirror the sun, the lamps and the sky; 0: not"""
+    @highlights.setter
+    def highlights(self, value: float) -> None:
         ...
     @property
     def ambient_color(self) -> Sequence[float]:
@@ -2907,7 +2915,7 @@ class Session:
     def keep_pose(self) -> int:
         """Where everybody is now becomes where the scene has them: one undo step. How many
         people stand or sit another way than before."""
-    def render(self, width: int, height: int, *, camera: Union[None, str, Camera] = ..., look: str = ..., by: str = ...) -> Picture:
+    def render(self, width: int, height: int, *, camera: Union[None, str, Camera] = ..., look: str = ..., by: str = ..., focus: Optional[float] = ..., f_stop: Optional[float] = ...) -> Picture:
         """As Scene.render, but as everybody is after the last step."""
 
 

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/PictureController.h"
 
+#include <optional>
+#include <vector>
+
 #include <QtCore/QFileInfo>
 #include <QtCore/QSettings>
 #include <QtCore/QStandardPaths>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QMessageBox>
 
+#include <glm/geometric.hpp>
+
+#include "app/pictures/LensWish.h"
 #include "app/pictures/PictureFile.h"
 #include "app/pictures/PictureFormats.h"
 #include "app/pictures/PictureMaker.h"
@@ -31,7 +37,7 @@ struct PictureJob
     PictureRequest request; ///< its spans are set where it is drawn
 };
 
-model::Result<void> drawPicture(PictureJob job)
+model::Result<void> drawPicture(PictureJob job, const model::KeepGoing& keepGoing)
 {
     model::KeyframeStore keyframes(kPictureKeyframeBytes);
     auto maker = PictureMaker::create(keyframes);
@@ -41,11 +47,31 @@ model::Result<void> drawPicture(PictureJob job)
     job.request.frame = job.frame;
     job.request.stages = job.stages;
     job.request.seats = job.seats;
-    if (auto drawn = maker.value()->draw(job.request); !drawn) {
+    if (auto drawn = maker.value()->draw(job.request, keepGoing); !drawn) {
         return drawn;
     }
     return writePicture(job.path, maker.value()->pixels(), maker.value()->size(),
                         job.request.isTransparent);
+}
+
+/// Metres along the view axis to the middle of who is selected; none: nobody is, or behind it.
+std::optional<double> selectedDepth(const widgets::EditorState& state)
+{
+    const model::Camera& camera = state.camera();
+    const auto frame = state.frame();
+    const model::Population& people = frame->population;
+    const auto positions = people.column(model::columns::position);
+    double sum = 0.0;
+    int count = 0;
+    for (const model::IndividualId id : state.selection().ids()) {
+        if (const std::size_t row = people.rowOf(id); row != model::Population::npos) {
+            const glm::vec3 way = positions[row] - camera.position;
+            sum += static_cast<double>(glm::dot(way, camera.forward()));
+            ++count;
+        }
+    }
+    const double depth = count > 0 ? sum / count : 0.0;
+    return depth > kLeastFocus ? std::optional(depth) : std::nullopt;
 }
 
 } // namespace
@@ -62,13 +88,13 @@ void PictureController::save(glm::ivec2 view)
         m_state.showStatus(tr("Another picture is still being drawn."));
         return;
     }
-    PictureDialog dialog(view, m_window);
+    PictureDialog dialog(view, m_state.camera(), selectedDepth(m_state), m_window);
     if (dialog.exec() != QDialog::Accepted) {
         return;
     }
     const QString path = askForPath();
     if (!path.isEmpty()) {
-        draw(path, dialog.chosenSize(), dialog.isTransparent());
+        draw(path, dialog);
     }
 }
 
@@ -111,8 +137,13 @@ QString PictureController::askForPath()
     return path;
 }
 
-void PictureController::draw(const QString& path, glm::ivec2 size, bool isTransparent)
+void PictureController::draw(const QString& path, const PictureDialog& chosen)
 {
+    const auto lens = lensOf(chosen.lens(), m_state.camera());
+    if (!lens) {
+        m_state.showStatus(model::translated(lens.error()));
+        return;
+    }
     const widgets::ViewOptions& options = m_state.viewOptions();
     PictureJob job;
     job.path = path;
@@ -126,15 +157,18 @@ void PictureController::draw(const QString& path, glm::ivec2 size, bool isTransp
     job.request.lights = m_state.scene().lights;
     job.request.lighting.showGroundGrid &= options.showGroundGrid;
     job.request.camera = m_state.camera();
-    job.request.size = size;
+    job.request.size = chosen.chosenSize();
+    job.request.lens = lens.value();
     job.request.look = options.look;
     job.request.showShadows = options.showShadows;
-    job.request.isTransparent = isTransparent;
+    job.request.isTransparent = chosen.isTransparent();
     m_task.start(
         tr("Saving the picture…"),
         [job = std::move(job)](const widgets::TaskReport& report) {
-            report(tr("Drawing %1").arg(QFileInfo(job.path).fileName()), 0.0F);
-            return drawPicture(job);
+            const QString what = tr("Drawing %1").arg(QFileInfo(job.path).fileName());
+            report(what, 0.0F);
+            return drawPicture(
+                job, [&](double share) { return report(what, static_cast<float>(share)); });
         },
         [this, path](const model::Result<void>& saved) {
             if (saved) {

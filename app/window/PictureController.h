@@ -8,6 +8,8 @@
 
 namespace crowd::app {
 
+class PictureDialog;
+
 /// File > Save Picture: the view as it is at this moment, without marks and handles, in a size of
 /// its own, drawn in the background. Main thread only.
 class PictureController : public QObject
@@ -23,7 +25,7 @@ public:
 
 private:
     [[nodiscard]] QString askForPath();
-    void draw(const QString& path, glm::ivec2 size, bool isTransparent);
+    void draw(const QString& path, const PictureDialog& chosen);
 
     widgets::EditorState& m_state;
     QWidget* m_window;

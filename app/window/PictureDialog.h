@@ -1,39 +1,56 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include <QtWidgets/QDialog>
 
 #include <glm/vec2.hpp>
 
+#include "app/pictures/LensWish.h"
+
 class QCheckBox;
 class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
 class QSpinBox;
 
 namespace crowd::app {
 
-/// What File > Save Picture asks before it asks for a name: the size in pixels, and whether what
-/// lies behind crowd and stage is left out. Proposes what was chosen last.
+/// What File > Save Picture asks before it asks for a name: the size in pixels, whether what lies
+/// behind crowd and stage is left out, and what is sharp. Proposes what was chosen last.
 class PictureDialog : public QDialog
 {
     Q_OBJECT
 
 public:
-    /// `view`: size of the picture in the window, physical pixels.
-    explicit PictureDialog(glm::ivec2 view, QWidget* parent);
+    /// `view`: size of the picture in the window, physical pixels. `selectedDepth`: metres to who
+    /// is selected, if somebody is.
+    PictureDialog(glm::ivec2 view, const model::Camera& camera, std::optional<double> selectedDepth,
+                  QWidget* parent);
 
     [[nodiscard]] glm::ivec2 chosenSize() const;
     [[nodiscard]] bool isTransparent() const;
+    [[nodiscard]] LensWish lens() const;
 
     void accept() override;
 
 private:
     void chooseSize(int index);
     void noteOwnSize();
+    void addLens(QFormLayout& form, const model::Camera& camera,
+                 std::optional<double> selectedDepth);
+    void chooseFocus(int index);
+    void noteOwnFocus();
 
     QComboBox* m_sizes;
     QSpinBox* m_width;
     QSpinBox* m_height;
     QCheckBox* m_transparent;
+    QCheckBox* m_hasLens;
+    QComboBox* m_focuses;
+    QDoubleSpinBox* m_focus;
+    QDoubleSpinBox* m_fStop;
 };
 
 } // namespace crowd::app

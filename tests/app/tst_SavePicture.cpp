@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+#include <functional>
+
 #include <QtGui/QImage>
 #include <QtTest/QTest>
 #include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QSpinBox>
+
+#include <glm/geometric.hpp>
 
 #include "tests/app/SceneWindow.h"
 #include "tests/program/WindowTest.h"
@@ -22,11 +29,14 @@ private Q_SLOTS:
     void init() { begin(); }
     void savesTheViewInAnySize();
     void leavesOutWhatIsBehind();
+    void drawsDepthOfField();
     void saysWhatCannotBe();
 
 private:
     /// Answers both dialogs; false: one did not come.
     bool save(const QString& path, const QSize& size, bool isTransparent);
+
+    std::function<void(QDialog&)> m_onDialog; ///< with the first of them
 };
 
 bool TestSavePicture::save(const QString& path, const QSize& size, bool isTransparent)
@@ -38,6 +48,9 @@ bool TestSavePicture::save(const QString& path, const QSize& size, bool isTransp
         shown.findChild<QSpinBox*>(QStringLiteral("pictureHeight"))->setValue(size.height());
         shown.findChild<QCheckBox*>(QStringLiteral("pictureTransparent"))
             ->setChecked(isTransparent);
+        if (m_onDialog) {
+            m_onDialog(shown);
+        }
         file = std::make_unique<DialogAnswer>([&](QDialog& chooser) {
             auto* name = chooser.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
             hasChosenFile = name != nullptr;
@@ -86,6 +99,41 @@ void TestSavePicture::leavesOutWhatIsBehind()
     }
     QCOMPARE(qAlpha(picture.pixel(0, 0)), 0);
     QVERIFY2(solid > 20 && solid < 320 * 240 / 2, qPrintable(QString::number(solid)));
+}
+
+/// Focus on who is selected is offered, and what is chosen is what is drawn.
+void TestSavePicture::drawsDepthOfField()
+{
+    openScene(plainScene(3), QStringLiteral("scene.crowd"));
+    const QString sharpPath = pathOf(QStringLiteral("sharp.png"));
+    QVERIFY(save(sharpPath, {160, 120}, false));
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->isFree(), kPatienceMs);
+    m_window->state().selection().selectAll();
+    double selected = 0.0;
+    m_onDialog = [&selected](QDialog& dialog) {
+        auto* lens = dialog.findChild<QCheckBox*>(QStringLiteral("pictureLens"));
+        auto* focuses = dialog.findChild<QComboBox*>(QStringLiteral("pictureFocuses"));
+        auto* focus = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("pictureFocus"));
+        auto* fStop = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("pictureFStop"));
+        QVERIFY(lens->isEnabled() && !focus->isEnabled());
+        lens->setChecked(true);
+        QVERIFY(focus->isEnabled() && fStop->isEnabled());
+        QCOMPARE(focuses->count(), 3);
+        selected = focus->value();
+        focus->setValue(0.5); // before everybody
+        QCOMPARE(focuses->currentIndex(), 2);
+        fStop->setValue(0.05);
+    };
+    const QString softPath = pathOf(QStringLiteral("soft.png"));
+    QVERIFY(save(softPath, {160, 120}, false));
+    m_onDialog = nullptr;
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->isFree(), kPatienceMs);
+    const auto distance = static_cast<double>(glm::length(m_window->state().camera().position));
+    QVERIFY2(std::abs(selected - distance) < 5.0, qPrintable(QString::number(selected)));
+    const QImage sharp(sharpPath);
+    const QImage soft(softPath);
+    QCOMPARE(soft.size(), sharp.size());
+    QVERIFY(soft != sharp);
 }
 
 void TestSavePicture::saysWhatCannotBe()

@@ -1,3 +1,4 @@
 crowd_add_tests(ROOM images LINK crowd_app TESTS
+    tst_LensWish
     tst_Pictures
 )

@@ -216,11 +216,25 @@ class Pictures(unittest.TestCase):
         self.assertFalse(np.array_equal(by_tag, scene.render(160, 90, look="property")))
         self.assertFalse(np.array_equal(by_tag, scene.render(160, 90, by="feature:emotion")))
 
+    def test_depth_of_field(self):
+        scene = theatre()
+        sharp = scene.render(160, 90).astype(int)
+        soft = scene.render(160, 90, focus=0.5, f_stop=0.05).astype(int)
+
+        def contrast(picture):
+            return np.abs(np.diff(picture[..., :3], axis=1)).mean()
+
+        self.assertLess(contrast(soft), 0.6 * contrast(sharp))
+        self.assertGreater(contrast(scene.render(160, 90, focus=20.0, f_stop=20.0).astype(int)),
+                           0.6 * contrast(sharp))
+        self.assertFalse(np.array_equal(scene.render(160, 90, f_stop=0.05), sharp))
+
     def test_bad_requests(self):
         scene = theatre()
         for arguments in [dict(width=0), dict(width=100_000), dict(camera="nowhere"),
                           dict(time=float("nan")), dict(time=1e18), dict(time=-float("inf")),
-                          dict(look="sepia"), dict(by="shoe size"), dict(by="tag", look="clay")]:
+                          dict(look="sepia"), dict(by="shoe size"), dict(by="tag", look="clay"),
+                          dict(focus=0.0), dict(focus=float("nan")), dict(f_stop=-1.0), dict(f_stop=1e30)]:
             with self.subTest(arguments=arguments), self.assertRaises(crowdbrush.Error):
                 scene.render(**{"width": 10, "height": 10, **arguments})
         with self.assertRaisesRegex(crowdbrush.Error, "no camera"):

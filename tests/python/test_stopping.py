@@ -88,12 +88,20 @@ class Stopping(unittest.TestCase, Interrupting):
         check()
         self.assertEqual(scene.create(template=man, position=(0, 0, 0)).tolist(), [1])
 
+    def test_an_interrupted_picture_with_depth_of_field_ends_soon(self):
+        scene, _ = crowd(20)
+        check = self.unchanged(scene)
+        self.assertLess(self.interrupted(
+            lambda: scene.render(1600, 900, camera=ABOVE, f_stop=0.1)), SOON)
+        check()
+
     def test_progress_rises_to_one(self):
         scene, man = crowd(60)
         for call in (lambda told: scene.stroke(colour(300), way(30), camera=ABOVE, progress=told),
                      lambda told: scene.stroke(Turner(), way(30), camera=ABOVE, progress=told),
                      lambda told: scene.create(template=man, position=(0, 0, 0), progress=told),
-                     lambda told: scene.render(16, 16, camera=ABOVE, time=1.0, progress=told)):
+                     lambda told: scene.render(16, 16, camera=ABOVE, time=1.0, progress=told),
+                     lambda told: scene.render(16, 16, camera=ABOVE, f_stop=0.5, progress=told)):
             shares, times = [], []
 
             def told(share):

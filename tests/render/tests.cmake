@@ -6,6 +6,7 @@ crowd_add_tests(ROOM render LINK crowd_render nlohmann_json::nlohmann_json TESTS
     tst_DrawnMaterials
     tst_OddFiles
     tst_Highlights
+    tst_Lens
     tst_Lights
     tst_PaintedLooks
     tst_Renderer

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: MIT
+"""Makes pictures of this folder anew: what light, looks and lenses do to the ready-made scenes.
+
+usage: crowdbrush script docs/make_pictures.py [NAME...]"""
+import os
+import sys
+
+import crowdbrush
+from crowdbrush import Lighting
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+SIZE = (960, 540)
+
+
+def scene_of(name, light=None, **changed):
+    scene = crowdbrush.open(f"builtin:scenes/{name}.crowd")
+    lighting = Lighting.ready(light) if light else scene.lighting
+    for key, value in changed.items():
+        setattr(lighting, key, value)
+    scene.set_lighting(lighting)
+    return scene
+
+
+def highlights():
+    """What is smooth mirrors sun and sky; the sun stands behind it."""
+    scene = scene_of("meadow", "afternoon", sun_azimuth=2.35, sun_elevation=.45)
+    return scene.render(*SIZE, camera="Machines")
+
+
+def cartoon():
+    """Ink, and light in three steps."""
+    return scene_of("city", "afternoon").render(*SIZE, look="cartoon")
+
+
+def focus():
+    """Depth of field: one of the crowd is sharp."""
+    scene = scene_of("theatre", "afternoon")
+    return scene.render(*SIZE, camera="Close", focus=4.0, f_stop=.15)
+
+
+def mist():
+    """Mist lies over a square at dusk."""
+    return scene_of("city", "dusk", haze=.97, haze_height=2.5).render(*SIZE)
+
+
+def density():
+    """How densely people stand."""
+    return scene_of("city").render(*SIZE, by="density")
+
+
+PICTURES = {each.__name__: each for each in (highlights, cartoon, focus, mist, density)}
+
+
+def main():
+    for name in sys.argv[1:] or PICTURES:
+        if name not in PICTURES:
+            raise SystemExit(f"There is no picture {name}; there are: {', '.join(PICTURES)}.")
+        PICTURES[name]().save_png(os.path.join(HERE, name + ".png"))
+
+
+main()
