@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include <QtTest/QTest>
 
 #include <glm/geometric.hpp>
@@ -42,6 +44,7 @@ class TestLightHandles : public QObject
 private Q_SLOTS:
     void aClickPlacesASpotlight();
     void theLampMovesAtItsHeight();
+    void atTheHeightOfTheEyeItGoesAside();
     void shiftMovesItUpAndDown();
     void theTargetGoesOverTheGround();
     void controlLetsItGoWithSomebody();
@@ -82,6 +85,23 @@ void TestLightHandles::theLampMovesAtItsHeight()
     QVERIFY(std::abs(hand.light().position.y - 2.0F) < 1e-4F);
     QVERIFY(hand.light().position.x > -1.5F);
     QVERIFY((hand.pixelOf(hand.light().position) - to).manhattanLength() < 3.0);
+}
+
+/// No ray meets the level of the lamp anywhere near; what the drag says of its height is not known.
+void TestLightHandles::atTheHeightOfTheEyeItGoesAside()
+{
+    LightHand hand;
+    const model::Camera& camera = hand.state.camera();
+    const glm::vec3 ahead = glm::normalize(glm::vec3(camera.forward().x, 0, camera.forward().z));
+    const glm::vec3 before = camera.position + 6.0F * ahead;
+    changeLight(hand.state, hand.id, QStringLiteral("To the eye"),
+                [&](model::Light& light) { light.position = before; });
+    const QPointF from = hand.pixelOf(before);
+    hand.drag(from, from + QPointF(50.0, -8.0));
+    const glm::vec3 way = hand.light().position - before;
+    QVERIFY2(glm::dot(way, camera.right()) > 0.2F, qPrintable(QString::number(way.x)));
+    QVERIFY(std::abs(way.y) < 1e-4F && std::abs(glm::dot(way, ahead)) < 1e-3F);
+    QVERIFY(std::abs(hand.pixelOf(hand.light().position).x() - from.x() - 50.0) < 3.0);
 }
 
 void TestLightHandles::shiftMovesItUpAndDown()

@@ -51,12 +51,13 @@ class LightDrag : public DragSession
 {
 public:
     LightDrag(const ToolContext& context, const ToolInput& press, const LightHit& hit)
-        : m_context(context), m_press(press), m_hit(hit)
+        : m_context(context), m_press(press), m_hit(hit), m_at(press.position())
     {
     }
 
     void update(const ToolInput& input) override
     {
+        m_at = input.position();
         const bool isStill =
             (input.position() - m_press.position()).manhattanLength() <= kLightClickSlack;
         if (!m_edit && (isStill || !begin())) {
@@ -97,7 +98,7 @@ public:
         picture.cursor = Qt::SizeAllCursor;
         const Light* light = findLight(m_context.state.scene().lights, m_hit.light);
         if (m_edit && light != nullptr && !m_hit.isTarget) {
-            picture.symbolAt = m_press.position();
+            picture.symbolAt = m_at;
             picture.label =
                 LightHandlesText::tr("%1 m high")
                     .arg(QLocale().toString(static_cast<double>(light->position.y), 'f', 1));
@@ -151,16 +152,24 @@ private:
         const bool isFromAbove = glm::length(level) < kLeastLevel;
         const glm::vec3 facing = isFromAbove ? glm::vec3(0.0F, 0.0F, 1.0F) : glm::normalize(level);
         const glm::vec3 now = light->position;
-        const auto met = onPlane(ray, now, isUpright ? facing : glm::vec3(0.0F, 1.0F, 0.0F));
+        if (!isUpright) {
+            const auto met = onPlane(ray, now, {0.0F, 1.0F, 0.0F});
+            if (met && glm::distance(*met, m_lamp) <= kMostMoved) {
+                return met;
+            }
+        }
+        const auto met = onPlane(ray, now, facing);
         if (!met || glm::distance(*met, m_lamp) > kMostMoved) {
             return std::nullopt;
         }
-        return isUpright ? glm::vec3(now.x, met->y, now.z) : *met;
+        // At the horizon of its height it goes aside alone: it would be out of the world else.
+        return isUpright ? glm::vec3(now.x, met->y, now.z) : glm::vec3(met->x, now.y, met->z);
     }
 
     ToolContext m_context;
     ToolInput m_press;
     LightHit m_hit;
+    QPointF m_at;           ///< of the pointer
     glm::vec3 m_lamp{0.0F}; ///< where it was
     std::unique_ptr<model::SceneEdit> m_edit;
 };
