@@ -624,6 +624,9 @@ void TestStatesDock::theWaveBeginsWhereOneClicks()
     QVERIFY2(choose() == nullptr, "all together: there is no order");
     desk.state.setRecall({{1.0F, {2.0F, model::StaggerOrder::Distance}}});
     QTRY_VERIFY(choose() != nullptr);
+    QVERIFY2(!choose()->isEnabled() && !desk.state.markedPoint(), "nothing could begin there");
+    desk.keepSmallThenGrow();
+    QTRY_VERIFY(choose()->isEnabled() && desk.state.markedPoint());
     QTest::mouseClick(choose(), Qt::LeftButton);
     QVERIFY(desk.state.picking() == Picking::Place);
     desk.state.offerPoint({1.0F, 0.0F, 4.0F});

@@ -47,17 +47,18 @@ PointMark::~PointMark()
 
 void PointMark::refresh()
 {
-    if (m_shownWith.isVisible()) {
+    if (m_shownWith.isVisible() && m_shownWith.isEnabled()) {
         m_state.markPoint(this, m_point());
     }
 }
 
 bool PointMark::eventFilter(QObject* widget, QEvent* event)
 {
-    if (event->type() == QEvent::Show) {
-        m_state.markPoint(this, m_point());
-    } else if (event->type() == QEvent::Hide) {
+    const bool isChange = event->type() == QEvent::Show || event->type() == QEvent::EnabledChange;
+    if (event->type() == QEvent::Hide || (isChange && !m_shownWith.isEnabled())) {
         m_state.markPoint(this, {});
+    } else if (isChange) {
+        refresh();
     }
     return QObject::eventFilter(widget, event);
 }

@@ -95,12 +95,14 @@ StatesDock::StatesDock(EditorState& state, QWidget* parent)
     layout->addWidget(m_note);
     layout->addWidget(m_list);
     layout->addWidget(difference());
-    layout->addWidget(new RecallForm(state, content));
+    m_recall = new RecallForm(state, content);
+    layout->addWidget(m_recall);
     layout->addWidget(holding());
     layout->addStretch(1);
     setScrolledContent(content);
     connectParts();
     fill();
+    enableRecall();
 }
 
 QWidget* StatesDock::buttons()
@@ -263,6 +265,7 @@ void StatesDock::connectParts()
                     m_wash->setChecked(false);
                 }
                 if (isOneOf<model::StatesChanged, model::SceneReplaced>(change)) {
+                    enableRecall();
                     m_rebuild.start();
                 }
                 if (isOneOf<model::GroupsChanged, model::SceneReplaced>(change)) {
@@ -313,6 +316,12 @@ void StatesDock::connectKeys()
         }
     });
     m_list->addAction(remove);
+}
+
+/// Without a state nothing of it is shown in the picture either.
+void StatesDock::enableRecall()
+{
+    m_recall->setEnabled(!m_state.scene().states.empty());
 }
 
 void StatesDock::fill()

@@ -18,6 +18,7 @@ class QToolButton;
 
 namespace crowd::widgets {
 
+class RecallForm;
 class StatePictures;
 
 /// The kept states of the scene, in the order of their keys: a double click recalls one. Below, how
@@ -40,6 +41,7 @@ private:
     void connectParts();
     void connectKeys();
     void fill();
+    void enableRecall();
     void showMenu(const QPoint& position);
     void keep();
     void edit(model::StateId id);
@@ -62,6 +64,7 @@ private:
     StatePictures* m_pictures;
     std::vector<QCheckBox*> m_aspects; ///< as propertyAspects()
     QWidget* m_chosenButtons = nullptr;
+    RecallForm* m_recall = nullptr;
     QToolButton* m_wash = nullptr;
     bool m_isFilling = false;
 };
