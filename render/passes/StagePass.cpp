@@ -84,7 +84,11 @@ void pointAttributes()
 
 std::string definesOf(const MaterialChoice& material, const Style& style)
 {
-    std::string defines = style.materialDefines();
+    // Walls and grounds are rough, and fill the picture: what they would mirror is not seen, but
+    // paid for by the pixel.
+    constexpr float kDull = 0.8F;
+    std::string defines =
+        material.roughness < kDull ? style.materialDefines() : style.surfaceDefines;
     defines += material.image >= 0 || material.emissiveImage >= 0 ? "TEXTURED " : "";
     defines += material.emissiveImage >= 0 ? "GLOWING " : "";
     defines += material.alphaMode == AlphaMode::Mask ? "CUTOUT " : "";

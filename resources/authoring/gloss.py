@@ -20,7 +20,7 @@ GLOSS = {
     "lamp": (.15, .0), "tyre": (.7, .0),
     # stages
     "water": (.08, .0), "window": (.1, .0), "door": (.45, .0), "sign": (.4, .0),
-    "marble": (.3, .0), "plaza": (.6, .0), "seat": (.4, .0), "seat_light": (.4, .0),
+    "marble": (.3, .0), "seat": (.4, .0), "seat_light": (.4, .0),
     "board": (.35, .0), "board_light": (.35, .0), "leaf": (.7, .0), "leaf_light": (.7, .0),
     "pad": (.5, .0), "banner": (.7, .0), "banner_light": (.7, .0)}
 CLOTH = (.85, .0)
