@@ -15,6 +15,22 @@
 using namespace crowd::model;
 using namespace gltf_samples;
 
+namespace {
+
+/// The next of the file's images, within it.
+void addPicture(GltfBuilder& builder, const QImage& picture)
+{
+    QByteArray png;
+    QBuffer buffer(&png);
+    if (!picture.save(&buffer, "PNG")) {
+        qFatal("cannot write a picture");
+    }
+    const int view = builder.view(std::vector<std::uint8_t>(png.begin(), png.end()));
+    builder.add("images", {{"bufferView", view}, {"mimeType", "image/png"}});
+}
+
+} // namespace
+
 class tst_GltfMaterials : public QObject
 {
     Q_OBJECT
@@ -100,12 +116,8 @@ void tst_GltfMaterials::readsTexturesWithTheirTransform()
     QImage picture(2, 1, QImage::Format_RGBA8888);
     picture.setPixelColor(0, 0, QColor(10, 20, 30, 40));
     picture.setPixelColor(1, 0, QColor(255, 0, 0));
-    QByteArray png;
-    QBuffer buffer(&png);
-    QVERIFY(picture.save(&buffer, "PNG"));
     GltfBuilder builder = GltfBuilder::triangle();
-    const int view = builder.view(std::vector<std::uint8_t>(png.begin(), png.end()));
-    builder.add("images", {{"bufferView", view}, {"mimeType", "image/png"}});
+    addPicture(builder, picture);
     builder.add("samplers", {{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}});
     builder.add("textures", {{"source", 0}, {"sampler", 0}});
     const double quarter = std::numbers::pi / 2.0;
@@ -139,12 +151,8 @@ void tst_GltfMaterials::shinesByItsPictureAlone()
 {
     QImage picture(1, 1, QImage::Format_RGBA8888);
     picture.fill(QColor(255, 0, 0));
-    QByteArray png;
-    QBuffer buffer(&png);
-    QVERIFY(picture.save(&buffer, "PNG"));
     GltfBuilder builder = GltfBuilder::triangle();
-    const int view = builder.view(std::vector<std::uint8_t>(png.begin(), png.end()));
-    builder.add("images", {{"bufferView", view}, {"mimeType", "image/png"}});
+    addPicture(builder, picture);
     builder.add("images", {{"uri", "gone.png"}});
     builder.add("samplers", {{"wrapS", 33071}});
     builder.add("textures", {{"source", 0}, {"sampler", 0}});
@@ -210,12 +218,8 @@ void tst_GltfMaterials::takesTheMeanOfPicturesOfSmoothness()
     QImage picture(2, 1, QImage::Format_RGBA8888);
     picture.setPixelColor(0, 0, QColor(0, 255, 0, 255));
     picture.setPixelColor(1, 0, QColor(0, 51, 255, 0));
-    QByteArray png;
-    QBuffer buffer(&png);
-    QVERIFY(picture.save(&buffer, "PNG"));
     GltfBuilder builder = GltfBuilder::triangle();
-    const int view = builder.view(std::vector<std::uint8_t>(png.begin(), png.end()));
-    builder.add("images", {{"bufferView", view}, {"mimeType", "image/png"}});
+    addPicture(builder, picture);
     builder.add("images", {{"uri", "gone.png"}});
     builder.add("textures", {{"source", 0}});
     builder.add("textures", {{"source", 1}});

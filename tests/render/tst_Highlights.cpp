@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <QtTest/QTest>
 
@@ -69,6 +70,8 @@ private Q_SLOTS:
 private:
     [[nodiscard]] render::RenderInput day(const model::View& view);
     void drawFloor(render::RenderInput input, const model::MaterialChoice& material);
+    /// How bright its middle is without highlights.
+    [[nodiscard]] float dullFloor(render::RenderInput input, const model::MaterialChoice& material);
     /// Linear, of a pixel so many metres from the middle as seen from above.
     [[nodiscard]] glm::vec3 at(float x, float z) const;
 };
@@ -94,6 +97,13 @@ void TestHighlights::drawFloor(render::RenderInput input, const model::MaterialC
     draw(input);
 }
 
+float TestHighlights::dullFloor(render::RenderInput input, const model::MaterialChoice& material)
+{
+    input.lighting.highlights = 0.0F;
+    drawFloor(std::move(input), material);
+    return at(0.0F, 0.0F).y;
+}
+
 glm::vec3 TestHighlights::at(float x, float z) const
 {
     const auto column = static_cast<std::size_t>(kPixels / 2 + static_cast<int>(x * kPerMetre));
@@ -106,10 +116,7 @@ glm::vec3 TestHighlights::at(float x, float z) const
 void TestHighlights::theSunIsMirroredWhereItShouldBe()
 {
     render::RenderInput input = day(fromAbove());
-    input.lighting.highlights = 0.0F;
-    drawFloor(input, grey(kSmooth));
-    const float dull = at(0.0F, 0.0F).y;
-    input.lighting.highlights = 1.0F;
+    const float dull = dullFloor(input, grey(kSmooth));
     drawFloor(input, grey(kSmooth));
     const float gained = at(0.0F, 0.0F).y - dull;
     QVERIFY2(gained > 0.3F && gained < 0.6F, qPrintable(QString::number(gained)));
@@ -139,11 +146,8 @@ void TestHighlights::theRoughMirrorNothing()
 void TestHighlights::theRougherTheWider()
 {
     const auto ratio = [this](float roughness) { // of two metres aside to the middle
-        render::RenderInput input = day(fromAbove());
-        input.lighting.highlights = 0.0F;
-        drawFloor(input, grey(roughness));
-        const float dull = at(0.0F, 0.0F).y;
-        input.lighting.highlights = 1.0F;
+        const render::RenderInput input = day(fromAbove());
+        const float dull = dullFloor(input, grey(roughness));
         drawFloor(input, grey(roughness));
         return (at(2.0F, 0.0F).y - dull) / (at(0.0F, 0.0F).y - dull);
     };
@@ -227,11 +231,8 @@ void TestHighlights::glassMirrorsThoughItIsSeenThrough()
     model::MaterialChoice glass = grey(kSmooth);
     glass.alphaMode = model::AlphaMode::Blend;
     glass.baseColor.w = 0.3F;
-    render::RenderInput input = day(fromAbove());
-    input.lighting.highlights = 0.0F;
-    drawFloor(input, glass);
-    const float without = at(0.0F, 0.0F).y;
-    input.lighting.highlights = 1.0F;
+    const render::RenderInput input = day(fromAbove());
+    const float without = dullFloor(input, glass);
     drawFloor(input, glass);
     QVERIFY2(at(0.0F, 0.0F).y > without + 0.15F, qPrintable(QString::number(without)));
 }
