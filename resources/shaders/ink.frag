@@ -7,6 +7,8 @@ uniform vec4 unproject; // as in occlusion.frag
 uniform bool isPerspective;
 uniform float pixelsPerMetre; // at a metre's distance, or everywhere
 uniform vec3 inkColor;
+// With (1, x, y) of a pixel: one over the metres to the ground there; 0: there is none.
+uniform vec3 groundPlane;
 out vec4 fragment;
 
 // One over the metres; what is not there is endlessly far. Without perspective: the metres.
@@ -15,6 +17,21 @@ float nearness(ivec2 pixel)
     float depth = texelFetch(depths, clamp(pixel, ivec2(0), last), 0).r;
     return isPerspective ? (depth == 1.0 ? 0.0 : (depth + unproject.w) / unproject.z)
                          : unproject.z * depth + unproject.w;
+}
+
+bool isGroundOrSky(ivec2 pixel, float near)
+{
+    float ground = dot(groundPlane, vec3(1.0, vec2(pixel) + 0.5));
+    // The ground lies a pixel's worth behind, so that floors on it win.
+    return near == 0.0 || abs(near - ground) < 1.5 * length(groundPlane.yz) + 0.002 * near;
+}
+
+// The ground ends somewhere, but that is no edge.
+bool isHorizon(ivec2 at, float right, float left, float up, float down, float here)
+{
+    return min(min(min(right, left), min(up, down)), here) == 0.0 && isGroundOrSky(at, here) &&
+           isGroundOrSky(at + ivec2(width, 0), right) && isGroundOrSky(at - ivec2(width, 0), left) &&
+           isGroundOrSky(at + ivec2(0, width), up) && isGroundOrSky(at - ivec2(0, width), down);
 }
 
 void main()
@@ -27,6 +44,9 @@ void main()
     float down = nearness(at - ivec2(0, width));
     float across = abs(right + left - 2.0 * here);
     float along = abs(up + down - 2.0 * here);
+    // At the picture's border there is nothing to compare with.
+    across = at.x < width || at.x > last.x - width ? 0.0 : across;
+    along = at.y < width || at.y > last.y - width ? 0.0 : along;
     float bend = max(across, along);
     // Where a floor is seen from low down, a step of nothing leaps far: what is much more than the
     // floor itself does is an edge.
@@ -34,7 +54,7 @@ void main()
     along *= step(5.0 * min(abs(up - here), abs(down - here)), along);
     float leap = max(across, along);
     float nearest = max(max(max(right, left), max(up, down)), here);
-    if (bend < 0.00001) {
+    if (bend < 0.00001 || (isPerspective && isHorizon(at, right, left, up, down, here))) {
         discard;
     }
     // As metres, and as how much the slope changes from pixel to pixel.

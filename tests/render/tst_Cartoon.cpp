@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <cstdlib>
 #include <set>
+#include <vector>
 
 #include <QtTest/QTest>
 
@@ -21,6 +23,8 @@ private Q_SLOTS:
     void inkRunsAroundPeople_data();
     void inkRunsAroundPeople();
     void flatGroundHasNoInk();
+    void theHorizonHasNoInk_data();
+    void theHorizonHasNoInk();
     void creasesHaveInk();
     void lightComesInSteps();
     void theOtherLooksHaveNone();
@@ -84,6 +88,46 @@ void TestCartoon::flatGroundHasNoInk()
     draw(input);
     for (int row = kPixels - 20; row < kPixels; ++row) {
         QCOMPARE(inkIn(row), 0);
+    }
+}
+
+void TestCartoon::theHorizonHasNoInk_data()
+{
+    QTest::addColumn<float>("height");
+    QTest::addColumn<float>("roll");
+    QTest::newRow("of who stands") << 1.7F << 0.0F;
+    QTest::newRow("of who lies") << 0.3F << 0.0F;
+    QTest::newRow("of a tower") << 60.0F << 0.0F;
+    QTest::newRow("of who leans over") << 1.7F << 0.3F;
+}
+
+void TestCartoon::theHorizonHasNoInk()
+{
+    QFETCH(const float, height);
+    QFETCH(const float, roll);
+    model::Camera camera = model::Camera::lookingAt({0.0F, height, 9.0F}, {0.0F, height, 0.0F});
+    camera.orientation = camera.orientation * glm::angleAxis(roll, glm::vec3(0.0F, 0.0F, 1.0F));
+    render::RenderInput input = frontOf(camera, render::Look::Cartoon);
+    input.lighting.skyHorizon = glm::vec3(0.8F);
+    input.lighting.skyZenith = glm::vec3(0.9F);
+    input.showShadows = false;
+    input.lighting.highlights = 0.0F;
+    auto inked = [this, input](const model::Population& people) mutable {
+        input.frame = frameOf(people, {entryFor(m_man)});
+        input.ink = render::InkLine{0.0F, {}};
+        draw(input);
+        const std::vector<std::uint8_t> bare = m_pixels;
+        input.ink.reset();
+        draw(input);
+        int count = 0;
+        for (std::size_t at = 0; at < bare.size(); at += 4) {
+            count += std::abs(m_pixels[at] - bare[at]) > 2 ? 1 : 0;
+        }
+        return count;
+    };
+    QCOMPARE(inked(model::Population()), 0);
+    if (height < 10.0F) { // who stands before it keeps his outline
+        QVERIFY(inked(makeRow(1)) > 20);
     }
 }
 
