@@ -9,6 +9,7 @@
 #include "behavior/crowd/Chunks.h"
 #include "model/pick/ShownPeople.h"
 #include "model/population/Properties.h"
+#include "model/population/Strides.h"
 
 namespace crowd::behavior {
 
@@ -77,7 +78,7 @@ private:
     void writeBetween(const FadeColumn& column);
     void writeStep(const FadeColumn& column);
     void writeClips(const FadeColumn& column);
-    void replaceFades(const std::vector<ClipFade>& coming, const std::vector<std::uint32_t>& rows);
+    void replaceFades(std::vector<ClipFade> coming);
     void findClips();
     /// Null: the template is not there.
     [[nodiscard]] const Clip* clipOf(TemplateId id, std::uint16_t clip) const
@@ -158,17 +159,21 @@ void FadedFrame::writeStep(const FadeColumn& column)
 {
     constexpr float kHalf = 0.5F;
     const std::size_t stride = columnInfo(column.column).stride;
+    const std::span<const IndividualId> all = m_frame.population.ids();
     std::vector<IndividualId> ids;
-    std::vector<std::byte> values;
     ids.reserve(m_way.rows.size());
-    values.reserve(m_way.rows.size() * stride);
-    for (std::size_t i = 0; i < m_way.rows.size(); ++i) {
-        if (m_way.shares[i] < kHalf) {
-            ids.push_back(m_frame.population.ids()[m_way.rows[i]]);
-            const auto value = std::span(column.bytes).subspan(m_way.people[i] * stride, stride);
-            values.insert(values.end(), value.begin(), value.end());
+    std::vector<std::byte> values(m_way.rows.size() * stride);
+    withStride(stride, [&](auto width) {
+        std::byte* to = values.data();
+        for (std::size_t i = 0; i < m_way.rows.size(); ++i) {
+            if (m_way.shares[i] < kHalf) {
+                ids.push_back(all[m_way.rows[i]]);
+                std::memcpy(to, column.bytes.data() + m_way.people[i] * width, width);
+                to += width;
+            }
         }
-    }
+    });
+    values.resize(ids.size() * stride);
     if (!ids.empty()) {
         m_frame.population.setValues(column.column, ids, values);
     }
@@ -220,21 +225,17 @@ void FadedFrame::writeClips(const FadeColumn& column)
         }
     });
     std::erase_if(coming, [](const ClipFade& each) { return each.share == kNotComing; });
-    std::vector<std::uint32_t> rows;
-    std::ranges::copy_if(m_way.rows, std::back_inserter(rows),
-                         [this](std::uint32_t row) { return !isBusy(row); });
-    replaceFades(coming, rows);
+    replaceFades(std::move(coming));
 }
 
-/// Their fades from one clip to the next are these.
-void FadedFrame::replaceFades(const std::vector<ClipFade>& coming,
-                              const std::vector<std::uint32_t>& rows)
+/// The fades of those on the way, who are not busy, from one clip to the next are these.
+void FadedFrame::replaceFades(std::vector<ClipFade> coming)
 {
-    std::erase_if(m_frame.fades, [&rows](const ClipFade& fade) {
-        return std::ranges::binary_search(rows, fade.row);
+    std::erase_if(m_frame.fades, [this](const ClipFade& fade) {
+        return !isBusy(fade.row) && std::ranges::binary_search(m_way.rows, fade.row);
     });
     if (m_frame.fades.empty()) {
-        m_frame.fades = coming;
+        m_frame.fades = std::move(coming);
         return;
     }
     std::vector<ClipFade> all;
