@@ -5,8 +5,10 @@ usage: crowdbrush script docs/make_pictures.py [NAME...]"""
 import os
 import sys
 
+import numpy as np
+
 import crowdbrush
-from crowdbrush import Lighting
+from crowdbrush import Light, Lighting, Look
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SIZE = (960, 540)
@@ -48,7 +50,25 @@ def density():
     return scene_of("city").render(*SIZE, by="density")
 
 
-PICTURES = {each.__name__: each for each in (highlights, cartoon, focus, mist, density)}
+def looks():
+    """One moment in six looks of the scene."""
+    scene = scene_of("theatre", "afternoon")
+    scene.lights = [Light(id=i + 1, name=color, kind="spot", position=(x, 14, 4), target=(x / 2, 1, -9), color=color,
+                          strength=5, cone=.5, softness=.5)
+                    for i, (x, color) in enumerate([(-9, "#ff6a4a"), (0, "#fff0d0"), (9, "#4a7aff")])]
+    scene.looks = [Look(id=1, name="Studio", light="studio", lamps=False),
+                   Look(id=2, name="Evening", light="dusk", lamps=False),
+                   Look(id=3, name="Spotlights", light="night"),
+                   Look(id=4, name="Comic", style="cartoon", light="noon", lamps=False),
+                   Look(id=5, name="Clay", style="clay", light="afternoon", lamps=False),
+                   Look(id=6, name="Silhouettes", style="silhouettes", own_background=True, background="#ffffff")]
+    width, height = SIZE[0] // 3, SIZE[1] // 3
+    pictures = [scene.render(width, height, camera="Audience", look=each.name) for each in scene.looks]
+    rows = [np.concatenate(pictures[row:row + 3], axis=1) for row in (0, 3)]
+    return crowdbrush.Picture(np.concatenate(rows, axis=0))
+
+
+PICTURES = {each.__name__: each for each in (highlights, cartoon, focus, mist, density, looks)}
 
 
 def main():

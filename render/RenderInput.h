@@ -87,6 +87,13 @@ struct Lens
     float radiusMetres = 0.025F; ///< of the opening that light comes through
 };
 
+/// Lines around things and along creases.
+struct InkLine
+{
+    float pixels = 2.0F; ///< width, logical; 0: none
+    glm::vec3 color{0.0F};
+};
+
 struct RenderInput
 {
     RenderInput(const model::View& pictureView, model::KeyframeStore& store)
@@ -106,6 +113,7 @@ struct RenderInput
     /// Those that are on shine, at most model::kMostLightsDrawn, in looks that are lit.
     std::span<const model::Light> lights;
     Look look = Look::Lit;
+    std::optional<InkLine> ink = std::nullopt; ///< instead of the look's
     LevelThresholds levels;
     int samples = 4; ///< per pixel; 0: no anti-aliasing
     /// Where edges are found in the finished picture they are drawn smooth: a fraction of the price

@@ -3484,6 +3484,94 @@
         <source>How strongly what is smooth, as water, glass, metal and skin, mirrors the sun, the lamps and the sky; 0: not</source>
         <translation>Wie stark Glattes wie Wasser, Glas, Metall und Haut Sonne, Lampen und Himmel spiegelt; 0: gar nicht</translation>
     </message>
+    <message>
+        <source>Plain colours</source>
+        <translation>Einfache Farben</translation>
+    </message>
+    <message>
+        <source>Lit</source>
+        <translation>Beleuchtet</translation>
+    </message>
+    <message>
+        <source>Cartoon</source>
+        <translation>Comic</translation>
+    </message>
+    <message>
+        <source>Clay</source>
+        <translation>Gips</translation>
+    </message>
+    <message>
+        <source>Silhouettes</source>
+        <translation>Silhouetten</translation>
+    </message>
+    <message>
+        <source>Blueprint</source>
+        <translation>Blaupause</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>Drahtgitter</translation>
+    </message>
+    <message>
+        <source>By property</source>
+        <translation>Nach Eigenschaft</translation>
+    </message>
+    <message>
+        <source>The scene&apos;s</source>
+        <translation>Das der Szene</translation>
+    </message>
+    <message>
+        <source>Studio</source>
+        <translation>Studio</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>Stil</translation>
+    </message>
+    <message>
+        <source>How surfaces are drawn</source>
+        <translation>Wie Flächen gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Nach</translation>
+    </message>
+    <message>
+        <source>Sun and sky: those of the scene, or ready-made ones</source>
+        <translation>Sonne und Himmel: die der Szene oder fertige</translation>
+    </message>
+    <message>
+        <source>Spotlights</source>
+        <translation>Scheinwerfer</translation>
+    </message>
+    <message>
+        <source>The lights that stand in the scene shine</source>
+        <translation>Die Lichter, die in der Szene stehen, leuchten</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>One colour instead of the sky</source>
+        <translation>Eine Farbe statt des Himmels</translation>
+    </message>
+    <message>
+        <source>The ground around stages is drawn</source>
+        <translation>Der Boden um die Bühnen wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Own Outlines</source>
+        <translation>Eigene Umrisse</translation>
+    </message>
+    <message>
+        <source>Lines around things, instead of those that the style has</source>
+        <translation>Linien um alles, statt derer, die der Stil hat</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -3654,6 +3742,41 @@
     </message>
 </context>
 <context>
+    <name>LookCommands</name>
+    <message>
+        <source>A scene has at most %1 looks: remove one first.</source>
+        <translation>Eine Szene hat höchstens %1 Looks: Entfernen Sie zuerst einen.</translation>
+    </message>
+    <message>
+        <source>Add a look</source>
+        <translation>Look hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove a look</source>
+        <translation>Look entfernen</translation>
+    </message>
+    <message>
+        <source>A look needs a name.</source>
+        <translation>Ein Look braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>There is a look “%1” already.</source>
+        <translation>Es gibt schon einen Look „%1“.</translation>
+    </message>
+    <message>
+        <source>Rename a look</source>
+        <translation>Look umbenennen</translation>
+    </message>
+    <message>
+        <source>Move a look</source>
+        <translation>Look verschieben</translation>
+    </message>
+    <message>
+        <source>Take looks</source>
+        <translation>Looks übernehmen</translation>
+    </message>
+</context>
+<context>
     <name>Looks</name>
     <message>
         <source>&amp;Plain Colours</source>
@@ -3718,6 +3841,26 @@
     <message>
         <source>A colour for each template, group, mood, density and more, with a legend</source>
         <translation>Je eine Farbe für Vorlagen, Gruppen, Stimmungen, Dichte und mehr, mit Legende</translation>
+    </message>
+    <message>
+        <source>Studio</source>
+        <translation>Studio</translation>
+    </message>
+    <message>
+        <source>Evening</source>
+        <translation>Abend</translation>
+    </message>
+    <message>
+        <source>Spotlights</source>
+        <translation>Scheinwerfer</translation>
+    </message>
+    <message>
+        <source>Comic</source>
+        <translation>Comic</translation>
+    </message>
+    <message>
+        <source>Silhouettes</source>
+        <translation>Silhouetten</translation>
     </message>
 </context>
 <context>
@@ -5220,6 +5363,22 @@
     <message>
         <source>The picture was stopped.</source>
         <translation>Das Bild wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1 holds no looks. Choose a file that was saved from the panel Looks.</source>
+        <translation>%1 enthält keine Looks. Wählen Sie eine Datei, die aus dem Bedienfeld Looks gespeichert wurde.</translation>
+    </message>
+    <message>
+        <source>A scene has at most %1 looks: remove one first.</source>
+        <translation>Eine Szene hat höchstens %1 Looks: Entfernen Sie zuerst einen.</translation>
+    </message>
+    <message>
+        <source>%1 is that of another look</source>
+        <translation>%1 ist der eines anderen Looks</translation>
+    </message>
+    <message>
+        <source>%1: a scene has at most %2 looks</source>
+        <translation>%1: Eine Szene hat höchstens %2 Looks</translation>
     </message>
 </context>
 <context>
@@ -7654,6 +7813,10 @@
         <source>Rename camera “%1”</source>
         <translation>Kamera „%1“ umbenennen</translation>
     </message>
+    <message>
+        <source>Look of camera “%1”</source>
+        <translation>Look der Kamera „%1“</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::AssetController</name>
@@ -9972,6 +10135,101 @@ Verworfen ist sie fort.</translation>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::LooksDock</name>
+    <message>
+        <source>Looks</source>
+        <translation>Looks</translation>
+    </message>
+    <message>
+        <source>Add a look</source>
+        <translation>Look hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen look</source>
+        <translation>Den gewählten Look entfernen</translation>
+    </message>
+    <message>
+        <source>The View as It Is</source>
+        <translation>Die Ansicht, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Look</translation>
+    </message>
+    <message>
+        <source>From a File…</source>
+        <translation>Aus einer Datei …</translation>
+    </message>
+    <message>
+        <source>Click: draw the view so. Double click or F2: rename.</source>
+        <translation>Klick: Ansicht so zeichnen. Doppelklick oder F2: umbenennen.</translation>
+    </message>
+    <message>
+        <source>A look is a style with a light, a background and outlines of its own, under a name: studio, evening, comic. + adds one.</source>
+        <translation>Ein Look ist ein Stil mit eigenem Licht, Hintergrund und Umrissen, unter einem Namen: Studio, Abend, Comic. + fügt einen hinzu.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Save as a File…</source>
+        <translation>Als Datei speichern …</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Take Looks</source>
+        <translation>Looks übernehmen</translation>
+    </message>
+    <message>
+        <source>Looks (*%1)</source>
+        <translation>Looks (*%1)</translation>
+    </message>
+    <message>
+        <source>Looks taken from %1</source>
+        <translation>Looks übernommen aus %1</translation>
+    </message>
+    <message>
+        <source>Save the Look</source>
+        <translation>Look speichern</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be saved: %2</source>
+        <translation>%1 kann nicht gespeichert werden: %2</translation>
+    </message>
+    <message>
+        <source>Change a look</source>
+        <translation>Look ändern</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>Click: draw the view as the scene is lit</source>
+        <translation>Klick: Ansicht so zeichnen, wie die Szene beleuchtet ist</translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::MissingAssetsDialog</name>
     <message>
         <source>Missing Assets</source>
@@ -10661,6 +10919,22 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Select These Characters</source>
         <translation>Diese Figuren auswählen</translation>
+    </message>
+    <message>
+        <source>The look that the view takes on with this camera</source>
+        <translation>Der Look, den die Ansicht mit dieser Kamera annimmt</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Look</translation>
+    </message>
+    <message>
+        <source>As It Is Elsewhere</source>
+        <translation>Wie sonst auch</translation>
+    </message>
+    <message>
+        <source>Looks are made in the panel Looks</source>
+        <translation>Looks entstehen im Bedienfeld Looks</translation>
     </message>
 </context>
 <context>

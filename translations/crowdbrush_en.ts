@@ -3484,6 +3484,94 @@
         <source>How strongly what is smooth, as water, glass, metal and skin, mirrors the sun, the lamps and the sky; 0: not</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Plain colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cartoon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Silhouettes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blueprint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By property</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scene&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Studio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How surfaces are drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sun and sky: those of the scene, or ready-made ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spotlights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lights that stand in the scene shine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One colour instead of the sky</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ground around stages is drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Own Outlines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines around things, instead of those that the style has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -3654,6 +3742,41 @@
     </message>
 </context>
 <context>
+    <name>LookCommands</name>
+    <message>
+        <source>A scene has at most %1 looks: remove one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove a look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A look needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is a look “%1” already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename a look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move a look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take looks</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Looks</name>
     <message>
         <source>&amp;Plain Colours</source>
@@ -3717,6 +3840,26 @@
     </message>
     <message>
         <source>A colour for each template, group, mood, density and more, with a legend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Studio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Evening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spotlights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Silhouettes</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5219,6 +5362,22 @@
     </message>
     <message>
         <source>The picture was stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds no looks. Choose a file that was saved from the panel Looks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scene has at most %1 looks: remove one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is that of another look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: a scene has at most %2 looks</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7654,6 +7813,10 @@
         <source>Rename camera “%1”</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Look of camera “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::AssetController</name>
@@ -9965,6 +10128,101 @@ Thrown away, it is gone.</source>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::LooksDock</name>
+    <message>
+        <source>Looks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the chosen look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The View as It Is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From a File…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: draw the view so. Double click or F2: rename.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A look is a style with a light, a background and outlines of its own, under a name: studio, evening, comic. + adds one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as a File…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take Looks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looks (*%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looks taken from %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the Look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be saved: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change a look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: draw the view as the scene is lit</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::MissingAssetsDialog</name>
     <message>
         <source>Missing Assets</source>
@@ -10653,6 +10911,22 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Select These Characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The look that the view takes on with this camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As It Is Elsewhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looks are made in the panel Looks</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

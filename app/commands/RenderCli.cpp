@@ -47,8 +47,9 @@ void addRenderCommand(CLI::App& cli, RenderOptions& options, int& status)
     command->add_option("--camera", options.camera, "Name of a camera of the scene");
     command->add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command->add_option("--time", options.time, "Seconds of the scene's time");
-    command->add_option("--look", options.look, "How it is drawn: " + render::lookKeys())
-        ->capture_default_str();
+    command->add_option("--look", options.look,
+                        "How it is drawn: a look of the scene by its name, or " +
+                            render::lookKeys() + "; without it, as the camera has it, else lit");
     command->add_option("--by", options.by,
                         "What people are coloured by: template, group, tag, clip, height, density, "
                         "a property that is a number, or feature:KIND");

@@ -12,11 +12,11 @@
 #include "app/commands/SceneSource.h"
 #include "app/commands/SimulationProgress.h"
 #include "app/pictures/LensWish.h"
+#include "app/pictures/LookWish.h"
 #include "app/pictures/PictureFile.h"
 #include "app/pictures/PictureMaker.h"
 #include "behavior/session/SceneMotion.h"
 #include "model/project/LocateAssets.h"
-#include "model/view/PropertyPaint.h"
 
 namespace crowd::app {
 
@@ -48,9 +48,8 @@ class ScenePictures
 {
 public:
     ScenePictures(model::Scene scene, const model::Camera& camera, const RenderPlan& plan,
-                  const std::optional<render::Lens>& lens)
-        : m_scene(std::move(scene)), m_seats(m_scene.worldSeats()), m_motion(m_scene),
-          m_property(plan.property)
+                  const ChosenLook& look, const std::optional<render::Lens>& lens)
+        : m_scene(std::move(scene)), m_seats(m_scene.worldSeats()), m_motion(m_scene), m_look(look)
     {
         m_request.stages = m_scene.stages;
         m_request.seats = m_seats;
@@ -58,7 +57,8 @@ public:
         m_request.lights = m_scene.lights;
         m_request.camera = camera;
         m_request.size = plan.size;
-        m_request.look = plan.look;
+        m_request.look = look.look;
+        m_request.ownLook = look.own;
         m_request.lens = lens;
     }
     ScenePictures(const ScenePictures&) = delete;
@@ -81,9 +81,7 @@ public:
             seconds, nullptr, [this, seconds](double done) { m_progress.tell(done, seconds); });
         m_progress.end();
         sayProblems();
-        if (render::lookInfo(m_request.look).isByProperty) {
-            m_request.frame = model::framePaintedBy(m_scene, *m_request.frame, m_property);
-        }
+        m_request.frame = colouredBy(m_look, m_scene, m_request.frame);
         if (auto drawn = m_maker->draw(m_request); !drawn) {
             return drawn;
         }
@@ -110,7 +108,7 @@ private:
     behavior::SceneMotion m_motion;
     model::KeyframeStore m_keyframes{std::size_t{2} << 30U};
     PictureRequest m_request;
-    std::string m_property; ///< of the look "property"
+    ChosenLook m_look;
     std::set<std::string> m_said;
     SimulationProgress m_progress;
     std::unique_ptr<PictureMaker> m_maker;
@@ -157,14 +155,16 @@ int runRender(const RenderOptions& options)
     if (!lens) {
         return fail(lens.error(), kBadUsage);
     }
-    if (auto known = model::checkProperty(scene.value(), plan.value().property); !known) {
-        return fail(known.error(), kBadUsage);
+    const auto look = chosenLook({options.look, options.by, options.camera}, scene.value());
+    if (!look) {
+        return fail(look.error(), kBadUsage);
     }
     if (auto complete = checkMissing(scene.value(), options.allowsMissing); !complete) {
         return fail(complete.error());
     }
     InterruptGuard::install();
-    ScenePictures pictures(std::move(scene).value(), camera.value(), plan.value(), lens.value());
+    ScenePictures pictures(std::move(scene).value(), camera.value(), plan.value(), look.value(),
+                           lens.value());
     if (auto opened = pictures.open(); !opened) {
         return fail(opened.error());
     }

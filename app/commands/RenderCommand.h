@@ -14,8 +14,8 @@ struct RenderOptions
     std::string output; ///< with a run of # for the frame number where several are drawn
     std::string camera; ///< name; the scene's first one when empty
     std::string size = "1280x720";
-    double time = 0.0; ///< seconds of the transport; of frame 0 where several are drawn
-    std::string look = "lit";
+    double time = 0.0;  ///< seconds of the transport; of frame 0 where several are drawn
+    std::string look;   ///< a style, or one of the scene's looks; empty: the camera's, else lit
     std::string by;     ///< property that people are coloured by; empty: as the look is
     std::string frames; ///< "A-B"
     std::optional<double> focusMetres; ///< and the next: depth of field

@@ -66,20 +66,6 @@ model::Result<RenderPlan> planOf(const RenderOptions& options)
                             "at most 16384 a side."};
     }
     plan.size = *size;
-    const auto look = render::lookOfKey(options.look);
-    if (!look) {
-        return model::Error{"--look " + options.look +
-                            " is unknown; there are: " + render::lookKeys() + "."};
-    }
-    plan.look = *look;
-    if (!options.by.empty()) {
-        if (plan.look != render::Look::Lit && plan.look != render::Look::Property) {
-            return model::Error{"--by " + options.by + " is of the look property, not of --look " +
-                                options.look + ": leave one of the two out."};
-        }
-        plan.look = render::Look::Property;
-        plan.property = options.by;
-    }
     plan.startSeconds = options.time;
     constexpr double kMost = behavior::kMostSceneSeconds;
     if (!isInRange(options.time, -kMost, kMost)) {

@@ -15,8 +15,6 @@ namespace crowd::app {
 struct RenderPlan
 {
     glm::ivec2 size{1280, 720};
-    render::Look look = render::Look::Lit;
-    std::string property = "template"; ///< of the look "property"; checked against the scene later
     int firstFrame = 0;
     int lastFrame = 0;
     double startSeconds = 0.0; ///< of frame 0

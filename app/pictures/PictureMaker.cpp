@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/pictures/PictureMaker.h"
 
+#include "render/SceneLook.h"
+
 namespace crowd::app {
 
 namespace {
@@ -23,6 +25,9 @@ render::RenderInput inputOf(const PictureRequest& request, model::KeyframeStore&
     input.showShadows = request.showShadows;
     input.isTransparent = request.isTransparent;
     input.lens = request.lens;
+    if (request.ownLook) {
+        render::useLook(input, *request.ownLook);
+    }
     input.levels.hysteresis = 0.0F; // a picture does not depend on the one before
     return input;
 }

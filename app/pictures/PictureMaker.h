@@ -29,6 +29,7 @@ struct PictureRequest
     model::Camera camera;
     glm::ivec2 size{1280, 720}; ///< pixels
     render::Look look = render::Look::Lit;
+    std::optional<model::LookPreset> ownLook{}; ///< of the scene; its light, background and lines
     bool showShadows = true;
     bool isTransparent = false;         ///< see render::RenderInput
     std::optional<render::Lens> lens{}; ///< none: everything is sharp

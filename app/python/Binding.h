@@ -15,6 +15,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "app/pictures/LensWish.h"
+#include "app/pictures/LookWish.h"
 #include "app/python/ScriptScene.h"
 #include "model/base/Result.h"
 #include "model/brush/changes/Push.h"
@@ -134,6 +135,8 @@ struct ClipInfo
 
 /// Where to look from: nothing (the scene's first camera), the name of one, or one.
 using CameraKey = std::variant<std::monostate, std::string, model::Camera>;
+/// Of one of the scene's; empty: its first one. Null: none of them.
+[[nodiscard]] std::optional<std::string> cameraName(const CameraKey& key);
 [[nodiscard]] std::optional<model::Camera> cameraOf(const ScriptScene& scene, const CameraKey& key);
 /// Whatever Python takes for a path; "builtin:…" passes unchanged.
 using FilePath = std::filesystem::path;
@@ -152,16 +155,15 @@ using SceneClass = pybind11::class_<ScriptScene, ScenePtr>;
                                         const py::object& ids,
                                         const std::optional<std::vector<std::string>>& columns);
 /// How a picture is drawn, as scripts say it.
-struct LookKey
+struct PictureKey
 {
-    std::string look;
-    std::string by; ///< property that people are coloured by; empty: none
+    LookWish look;
     LensWish lens{};
 };
 
 /// crowdbrush.Picture of the scene at a time, or of this frame.
 [[nodiscard]] py::object pictureOf(ScriptScene& scene, const glm::ivec2& size,
-                                   const CameraKey& camera, const LookKey& look, double time,
+                                   const CameraKey& camera, const PictureKey& look, double time,
                                    model::CrowdFramePtr frame, LongCall& call);
 
 /// What a class of ours takes is checked here: see the casters below.

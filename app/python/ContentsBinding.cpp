@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "app/python/Binding.h"
@@ -253,8 +254,20 @@ void needCameraName(const std::string& name)
     }
 }
 
+py::dict lookOfCameras(const ScenePtr& scene)
+{
+    py::dict all;
+    const auto now = scene->scene();
+    for (const NamedCamera& each : now->cameras) {
+        const LookPreset* look = findLook(now->looks, each.look);
+        all[py::str(each.name)] = look != nullptr ? look->name : std::string();
+    }
+    return all;
+}
+
 void setCamerasGiven(const ScenePtr& scene,
-                     const std::vector<std::pair<std::string, Camera>>& named)
+                     const std::vector<std::pair<std::string, Camera>>& named,
+                     const std::map<std::string, std::string>& looks)
 {
     std::vector<NamedCamera> all;
     std::set<std::string> names;
@@ -264,7 +277,14 @@ void setCamerasGiven(const ScenePtr& scene,
             throw ScriptError("Two cameras are named \"" + name +
                               "\": give each a name of its own.");
         }
-        all.push_back({name, camera});
+        const auto look = looks.find(name);
+        const std::string lookName = look != looks.end() ? look->second : std::string();
+        all.push_back({name, camera, valueOrRaise(lookNamed(*scene->scene(), lookName))});
+    }
+    for (const auto& [name, look] : looks) {
+        if (!names.contains(name)) {
+            throw ScriptError("looks names \"" + name + "\", which is no camera of these.");
+        }
     }
     valueOrRaise(setCameras(*scene, std::move(all)));
 }
@@ -384,11 +404,14 @@ void bindCameraCalls(SceneClass& scene)
     scene.def_property_readonly("cameras", &cameras, "Name → Camera.")
         .def(
             "set_camera",
-            [](const ScenePtr& s, const std::string& name, const Camera& camera) {
+            [](const ScenePtr& s, const std::string& name, const Camera& camera,
+               const std::optional<std::string>& look) {
                 needCameraName(name);
-                valueOrRaise(setCamera(*s, name, camera));
+                valueOrRaise(setCamera(*s, name, camera, look));
             },
-            py::arg("name"), py::arg("camera"), "Moves the one of that name, or adds it.")
+            py::arg("name"), py::arg("camera"), py::arg("look") = py::none(),
+            "Moves the one of that name, or adds it. look: the name of one of the scene's, which "
+            "the view takes on with this camera; \"\": none; None: as it was.")
         .def(
             "remove_camera",
             [](const ScenePtr& s, const std::string& name) {
@@ -396,7 +419,11 @@ void bindCameraCalls(SceneClass& scene)
             },
             py::arg("name"), "Raises Error where there is none of that name.")
         .def("set_cameras", &setCamerasGiven, py::arg("cameras"),
-             "All of them, as pairs of name and Camera, in this order.")
+             py::arg("looks") = std::map<std::string, std::string>(),
+             "All of them, as pairs of name and Camera, in this order. looks: name of the camera → "
+             "name of its look, of those that have one.")
+        .def_property_readonly("camera_looks", &lookOfCameras,
+                               "Name of the camera → name of its look, empty where it has none.")
         .def_property_readonly(
             "lighting", [](const ScenePtr& s) { return s->scene()->lighting; },
             "A copy of how it is now; changed with set_lighting.")

@@ -31,6 +31,14 @@ glm::vec3 toVector(const Point3& point, const char* name)
     return {point[0], point[1], point[2]};
 }
 
+std::optional<std::string> cameraName(const CameraKey& key)
+{
+    if (const auto* name = std::get_if<std::string>(&key)) {
+        return *name;
+    }
+    return std::holds_alternative<Camera>(key) ? std::nullopt : std::optional<std::string>("");
+}
+
 std::optional<Camera> cameraOf(const ScriptScene& scene, const CameraKey& key)
 {
     if (const auto* name = std::get_if<std::string>(&key)) {
@@ -57,27 +65,6 @@ Camera makeCamera(const Point3& from, const Point3& at, float fovDegrees)
     Camera camera = Camera::lookingAt(eye, target);
     camera.fovYRadians = glm::radians(fovDegrees);
     return camera;
-}
-
-/// `by` alone means the look that shows it.
-void chooseLook(ScriptPicture& picture, const Scene& scene, const LookKey& key)
-{
-    const auto look = render::lookOfKey(key.look);
-    if (!look) {
-        throw ScriptError("There is no look \"" + key.look +
-                          "\"; there are: " + render::lookKeys() + ".");
-    }
-    picture.look = *look;
-    if (key.by.empty()) {
-        return;
-    }
-    if (*look != render::Look::Lit && *look != render::Look::Property) {
-        throw ScriptError("by=\"" + key.by + "\" is of the look \"property\", not of look=\"" +
-                          key.look + "\": leave one of the two out.");
-    }
-    valueOrRaise(checkProperty(scene, key.by));
-    picture.look = render::Look::Property;
-    picture.property = key.by;
 }
 
 void refuseMissing(const Scene& scene)
@@ -108,8 +95,8 @@ py::object picture(const ScenePtr& scene, int width, int height, const CameraKey
         refuseMissing(*scene->scene());
     }
     LongCall call(progress);
-    return pictureOf(*scene, {width, height}, camera, {look, by, {focus, fStop}}, time, nullptr,
-                     call);
+    return pictureOf(*scene, {width, height}, camera,
+                     {{look, by, cameraName(camera)}, {focus, fStop}}, time, nullptr, call);
 }
 
 void savePicture(const FilePath& path, const py::array_t<std::uint8_t, py::array::c_style>& array)
@@ -239,7 +226,7 @@ void waitForPictures(const ScriptScene& scene)
 } // namespace
 
 py::object pictureOf(ScriptScene& scene, const glm::ivec2& size, const CameraKey& camera,
-                     const LookKey& look, double time, CrowdFramePtr frame, LongCall& call)
+                     const PictureKey& look, double time, CrowdFramePtr frame, LongCall& call)
 {
     constexpr int kMost = 16384;
     if (size.x < 1 || size.y < 1 || size.x > kMost || size.y > kMost) {
@@ -250,7 +237,7 @@ py::object pictureOf(ScriptScene& scene, const glm::ivec2& size, const CameraKey
     request.camera = cameraOf(scene, camera);
     request.seconds = time;
     request.frame = std::move(frame);
-    chooseLook(request, *scene.scene(), look);
+    request.look = valueOrRaise(chosenLook(look.look, *scene.scene()));
     request.lens = look.lens;
     constexpr double kSimulated = 0.9; // the rest is drawn
     request.patience = [&call](Waiting& waiting, const std::function<void()>& work) {
@@ -277,16 +264,18 @@ void bindPictures(py::module_& module, SceneClass& scene)
     bindPicture(module);
     scene.def(
         "render", &picture, py::arg("width"), py::arg("height"), py::kw_only(),
-        py::arg("camera") = CameraKey(), py::arg("time") = 0.0, py::arg("look") = "lit",
+        py::arg("camera") = CameraKey(), py::arg("time") = 0.0, py::arg("look") = "",
         py::arg("by") = "", py::arg("focus") = py::none(), py::arg("f_stop") = py::none(),
         py::arg("allow_missing") = false, py::arg("progress") = py::none(),
         "The picture as height × width × 4 uint8. Needs no display. time: seconds, at most a "
-        "week. by: what people are coloured by, in the look \"property\": \"template\", "
+        "week. look: one of the scene's by its name, or \"plain\", \"lit\", \"cartoon\" and the "
+        "like; without it, as the camera has it, else lit. by: what people are coloured by, in the "
+        "look \"property\": \"template\", "
         "\"group\", \"tag\", \"clip\", \"height\", \"density\", a property that is a number, or "
         "\"feature:KIND\". focus (metres from the camera; without it, what the camera turns "
         "around) and f_stop (the smaller, the less is sharp; 0.5 without it): depth of field, "
-        "where "
-        "either is given. Where a stage, or a character of whom there is somebody, could not be "
+        "where either is given. Where a stage, or a character of whom there is somebody, could not "
+        "be "
         "loaded, it fails and says what is missing, unless allow_missing. " CROWD_PROGRESS_DOC);
 }
 

@@ -47,15 +47,37 @@ Result<Camera> cameraNamed(const ScriptScene& script, const std::string& name)
                  (names.empty() ? "The scene has none." : "The scene has: " + names + ".")};
 }
 
-Result<void> setCamera(ScriptScene& script, const std::string& name, const Camera& camera)
+Result<LookId> lookNamed(const Scene& scene, const std::string& name)
 {
-    return script.onDocument([&] {
+    if (name.empty()) {
+        return LookId{0};
+    }
+    if (const LookPreset* look = findLook(scene.looks, name)) {
+        return look->id;
+    }
+    std::string names;
+    for (const LookPreset& each : scene.looks) {
+        names += (names.empty() ? "" : ", ") + each.name;
+    }
+    return Error{"There is no look named \"" + name + "\" in the scene. " +
+                 (names.empty() ? "It has none." : "It has: " + names + ".")};
+}
+
+Result<void> setCamera(ScriptScene& script, const std::string& name, const Camera& camera,
+                       const std::optional<std::string>& look)
+{
+    return script.onDocument([&]() -> Result<void> {
+        const auto wanted = lookNamed(script.document().scene(), look.value_or(""));
+        if (!wanted) {
+            return wanted.error();
+        }
         std::vector<NamedCamera> cameras = script.document().scene().cameras;
         const auto found = std::ranges::find(cameras, name, &NamedCamera::name);
         if (found == cameras.end()) {
-            cameras.push_back({name, camera});
+            cameras.push_back({name, camera, wanted.value()});
         } else {
             found->camera = camera;
+            found->look = look ? wanted.value() : found->look;
         }
         return script.edit(stepText(QT_TRANSLATE_NOOP("Script", "Set camera")),
                            [&](SceneEdit& open) { open.setCameras(cameras); });

@@ -9,10 +9,15 @@ namespace crowd::app {
 
 [[nodiscard]] model::Result<model::Camera> cameraNamed(const ScriptScene& script,
                                                        const std::string& name);
+/// No look named: it keeps the one that it has; an empty name: none.
 [[nodiscard]] model::Result<void> setCamera(ScriptScene& script, const std::string& name,
-                                            const model::Camera& camera);
+                                            const model::Camera& camera,
+                                            const std::optional<std::string>& look);
+/// Of the look of a scene; 0 for an empty name.
+[[nodiscard]] model::Result<model::LookId> lookNamed(const model::Scene& scene,
+                                                     const std::string& name);
 [[nodiscard]] model::Result<void> removeCamera(ScriptScene& script, const std::string& name);
-/// All of them, in this order.
+/// All of them, in this order; their looks are there.
 [[nodiscard]] model::Result<void> setCameras(ScriptScene& script,
                                              std::vector<model::NamedCamera> cameras);
 [[nodiscard]] model::Result<void> setLighting(ScriptScene& script, model::Lighting lighting);

@@ -7,7 +7,6 @@
 
 #include "app/python/ScriptScene.h"
 #include "behavior/session/SceneMotion.h"
-#include "model/view/PropertyPaint.h"
 
 namespace crowd::app {
 
@@ -137,10 +136,9 @@ Result<std::vector<std::uint8_t>> ScriptPictures::draw(ScriptScene& script,
     request.lights = shown->lights;
     request.camera = camera.value();
     request.size = picture.size;
-    request.look = picture.look;
-    if (render::lookInfo(picture.look).isByProperty) {
-        request.frame = framePaintedBy(*shown, *request.frame, picture.property);
-    }
+    request.look = picture.look.look;
+    request.ownLook = picture.look.own;
+    request.frame = colouredBy(picture.look, *shown, request.frame);
     const auto drawn = m_maker->draw(request, picture.keepGoing);
     std::vector<std::uint8_t> pixels = drawn ? m_maker->pixels() : std::vector<std::uint8_t>();
     m_maker->release(); // the next one may be wanted on another thread

@@ -12,6 +12,7 @@
 #include <glm/vec2.hpp>
 
 #include "app/pictures/LensWish.h"
+#include "app/pictures/LookWish.h"
 #include "app/pictures/PictureMaker.h"
 #include "model/bake/KeyframeStore.h"
 #include "model/scene/Scene.h"
@@ -41,8 +42,7 @@ struct ScriptPicture
     std::optional<model::Camera> camera; ///< the scene's first one without
     double seconds = 0.0;                ///< of the transport
     model::CrowdFramePtr frame;          ///< people; null: as the scene shows them at that time
-    render::Look look = render::Look::Lit;
-    std::string property = "template"; ///< of the look "property"
+    ChosenLook look{};
     LensWish lens{};
     model::KeepGoing keepGoing{}; ///< of drawing
     Patience patience = [](Waiting&, const std::function<void()>& work) { work(); };

@@ -145,8 +145,8 @@ py::object pictureNow(ScriptSession& session, int width, int height, const Camer
 {
     const CrowdFramePtr frame = frameOf(session);
     LongCall call({});
-    return pictureOf(*session.scene(), {width, height}, camera, {look, by, {focus, fStop}},
-                     frame->seconds, frame, call);
+    return pictureOf(*session.scene(), {width, height}, camera,
+                     {{look, by, cameraName(camera)}, {focus, fStop}}, frame->seconds, frame, call);
 }
 
 using SessionClass = py::class_<ScriptSession, std::shared_ptr<ScriptSession>>;
@@ -229,7 +229,7 @@ void bindPeople(SessionClass& session)
              "Where everybody is now becomes where the scene has them: one undo step. How many "
              "people stand or sit another way than before.")
         .def("render", &pictureNow, py::arg("width"), py::arg("height"), py::kw_only(),
-             py::arg("camera") = CameraKey(), py::arg("look") = "lit", py::arg("by") = "",
+             py::arg("camera") = CameraKey(), py::arg("look") = "", py::arg("by") = "",
              py::arg("focus") = py::none(), py::arg("f_stop") = py::none(),
              "As Scene.render, but as everybody is after the last step.");
 }

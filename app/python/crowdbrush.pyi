@@ -1369,14 +1369,15 @@ class Scene:
         (bool)."""
     def render(self, width: int, height: int, *, camera: Union[None, str, Camera] = ..., time: float = ..., look: str = ..., by: str = ..., focus: Optional[float] = ..., f_stop: Optional[float] = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> Picture:
         """The picture as height × width × 4 uint8. Needs no display. time: seconds, at most a
-        week. by: what people are coloured by, in the look "property": "template", "group",
-        "tag", "clip", "height", "density", a property that is a number, or "feature:KIND".
-        focus (metres from the camera; without it, what the camera turns around) and f_stop
-        (the smaller, the less is sharp; 0.5 without it): depth of field, where either is
-        given. Where a stage, or a character of whom there is somebody, could not be loaded,
-        it fails and says what is missing, unless allow_missing. progress: is called with the
-        share that is done, 0 to 1, some times a second; what it raises, as Ctrl+C, ends the
-        call, which takes back what it did."""
+        week. look: one of the scene's by its name, or "plain", "lit", "cartoon" and the like;
+        without it, as the camera has it, else lit. by: what people are coloured by, in the
+        look "property": "template", "group", "tag", "clip", "height", "density", a property
+        that is a number, or "feature:KIND". focus (metres from the camera; without it, what
+        the camera turns around) and f_stop (the smaller, the less is sharp; 0.5 without it):
+        depth of field, where either is given. Where a stage, or a character of whom there is
+        somebody, could not be loaded, it fails and says what is missing, unless
+        allow_missing. progress: is called with the share that is done, 0 to 1, some times a
+        second; what it raises, as Ctrl+C, ends the call, which takes back what it did."""
     @property
     def templates(self) -> List[Template]:
         """Characters to make copies of."""
@@ -1405,12 +1406,17 @@ class Scene:
     @property
     def cameras(self) -> Dict[Any, Any]:
         """Name → Camera."""
-    def set_camera(self, name: str, camera: Camera) -> None:
-        """Moves the one of that name, or adds it."""
+    def set_camera(self, name: str, camera: Camera, look: Optional[str] = ...) -> None:
+        """Moves the one of that name, or adds it. look: the name of one of the scene's, which
+        the view takes on with this camera; "": none; None: as it was."""
     def remove_camera(self, name: str) -> None:
         """Raises Error where there is none of that name."""
-    def set_cameras(self, cameras: List[Tuple[str, Camera]]) -> None:
-        """All of them, as pairs of name and Camera, in this order."""
+    def set_cameras(self, cameras: List[Tuple[str, Camera]], looks: Dict[str, str] = ...) -> None:
+        """All of them, as pairs of name and Camera, in this order. looks: name of the camera →
+        name of its look, of those that have one."""
+    @property
+    def camera_looks(self) -> Dict[Any, Any]:
+        """Name of the camera → name of its look, empty where it has none."""
     @property
     def lighting(self) -> Lighting:
         """A copy of how it is now; changed with set_lighting."""
@@ -1529,6 +1535,13 @@ class Scene:
         undo."""
     @lights.setter
     def lights(self, value: List[Light]) -> None:
+        ...
+    @property
+    def looks(self) -> List[Look]:
+        """A new list of Look, as the environment has them, by name too; setting it is a step of
+        undo."""
+    @looks.setter
+    def looks(self, value: List[Look]) -> None:
         ...
     @property
     def rules(self) -> List[Rule]:
@@ -2781,6 +2794,38 @@ class Light(Entry):
     """of "group"; 0: none; begins as 0"""
     position: List[float]
     """where the lamp is; m"""
+
+
+class Look(Entry):
+    """A way of drawing that belongs to the scene."""
+    def __init__(self, *, id: int, name: str = ..., style: Literal["plain", "lit", "cartoon", "clay", "silhouettes", "blueprint", "wireframe", "property"] = ..., by: str = ..., light: Literal["scene", "noon", "afternoon", "dusk", "overcast", "night", "studio"] = ..., lamps: bool = ..., shadows: bool = ..., own_background: bool = ..., background: Union[str, Sequence[int]] = ..., ground: bool = ..., own_outline: bool = ..., outline_width: float = ..., outline: Union[str, Sequence[int]] = ...) -> None:
+        ...
+    id: int
+    """of no other look of the scene; must be given"""
+    name: str
+    """what it is called"""
+    style: Literal["plain", "lit", "cartoon", "clay", "silhouettes", "blueprint", "wireframe", "property"]
+    """how surfaces are drawn; begins as 'lit'"""
+    by: str
+    """what people are coloured by, of "property"; begins as 'template'"""
+    light: Literal["scene", "noon", "afternoon", "dusk", "overcast", "night", "studio"]
+    """sun and sky: those of the scene, or ready-made ones; begins as 'scene'"""
+    lamps: bool
+    """the lights that stand in the scene shine; begins as True"""
+    shadows: bool
+    """shadows are drawn, of any kind; begins as True"""
+    own_background: bool
+    """one colour instead of the sky; begins as False"""
+    background: str
+    """instead of the sky; begins as '#eceef0'"""
+    ground: bool
+    """the ground around stages is drawn; begins as True"""
+    own_outline: bool
+    """outlines are as the next two say, not as the style has them; begins as False"""
+    outline_width: float
+    """of outlines; 0: none; 0 to 20 px; begins as 2.0"""
+    outline: str
+    """of outlines; begins as '#141218'"""
 
 
 class Rule(Entry):

@@ -322,14 +322,22 @@ std::string entries(const SceneDelta& delta, bool isComing)
     return text;
 }
 
-std::string cameras(const std::vector<NamedCamera>& all)
+std::string cameras(const std::vector<NamedCamera>& all, const Looks& looks)
 {
+    std::string ofLooks;
+    for (const NamedCamera& each : all) {
+        if (const LookPreset* look = findLook(looks, each.look)) {
+            ofLooks += (ofLooks.empty() ? "" : ", ") + pythonText(each.name) + ": " +
+                       pythonText(look->name);
+        }
+    }
     std::string text = std::string(kIndent, ' ') + "scene.set_cameras([\n";
     for (const NamedCamera& each : all) {
         text += std::string(2 * kIndent, ' ') + '(' + pythonText(each.name) + ", " +
                 pythonText(each.camera) + "),\n";
     }
-    return text + std::string(kIndent, ' ') + "])\n";
+    text += std::string(kIndent, ' ') + ']';
+    return text + (ofLooks.empty() ? "" : ", looks={" + ofLooks + "}") + ")\n";
 }
 
 std::string lightingCall(const Lighting& now)
@@ -369,7 +377,7 @@ std::string deltaScript(const SceneDelta& delta, const QString& undoText, const 
         text += std::string(kIndent, ' ') + line;
     }
     if (const auto& changed = delta.of<members::Cameras>()) {
-        text += cameras(changed->after);
+        text += cameras(changed->after, after.looks);
     }
     if (const auto& changed = delta.of<members::Light>()) {
         text += lightingCall(changed->after);

@@ -25,7 +25,7 @@ constexpr auto kLeft = Qt::LeftDockWidgetArea;
 constexpr auto kRight = Qt::RightDockWidgetArea;
 constexpr auto kBottom = Qt::BottomDockWidgetArea;
 
-// Two groups of tabs at the right, so that their names fit the tabs of a small screen. Templates
+// Groups of tabs, three at the right, so that their names fit the tabs of a small screen. Templates
 // have room for two rows, with tabs, title and weight.
 constexpr std::array<DockInfo, static_cast<std::size_t>(DockId::Count)> kDocks{{
     {DockId::Brushes, &make<widgets::BrushPaletteDock>, kLeft, 165},
@@ -45,6 +45,7 @@ constexpr std::array<DockInfo, static_cast<std::size_t>(DockId::Count)> kDocks{{
     {DockId::Features, &make<widgets::FeaturesDock>, kRight, 0, 0, DockId::Colour},
     {DockId::Relations, &make<widgets::RelationsDock>, kRight, 0, 0, DockId::Features},
     {DockId::Light, &make<widgets::LightDock>, kRight, 0, 0, DockId::Groups},
+    {DockId::Looks, &make<widgets::LooksDock>, kLeft, 0, 0, DockId::Presets},
     {DockId::Console, &makeConsole, kBottom, 0, 0, DockId::Rules, false},
 }};
 

@@ -39,6 +39,7 @@ enum class DockId : std::uint8_t {
     Features,
     Relations,
     Light,
+    Looks,
     Console,
     Count
 };

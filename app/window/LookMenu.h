@@ -9,7 +9,7 @@ class EditorState;
 
 namespace crowd::app {
 
-/// The looks of render/Looks.h, to choose how the view is drawn.
+/// The looks of render/Looks.h and those of the scene, to choose how the view is drawn.
 void fillLookMenu(QMenu& menu, widgets::EditorState& state);
 
 } // namespace crowd::app

@@ -19,6 +19,7 @@
 #include "app/window/PictureDialog.h"
 #include "model/base/Translated.h"
 #include "model/view/PropertyPaint.h"
+#include "widgets/state/ShownLook.h"
 
 namespace crowd::app {
 
@@ -161,6 +162,9 @@ void PictureController::draw(const QString& path, const PictureDialog& chosen)
     job.request.lens = lens.value();
     job.request.look = options.look;
     job.request.showShadows = options.showShadows;
+    if (const model::LookPreset* look = widgets::shownLook(m_state)) {
+        job.request.ownLook = *look;
+    }
     job.request.isTransparent = chosen.isTransparent();
     m_task.start(
         tr("Saving the picture…"),

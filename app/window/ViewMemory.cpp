@@ -51,6 +51,9 @@ void save(const ViewOptions& options)
     for (const Switch& each : kSwitches) {
         settings.setValue(QLatin1String(each.key), options.*each.member);
     }
+    if (options.ownLook != 0) {
+        return; // how that is drawn is the scene's
+    }
     settings.setValue(QLatin1String(kLookKey), QLatin1String(render::lookInfo(options.look).key));
     settings.setValue(QLatin1String(kPropertyKey), QString::fromStdString(options.property));
 }
@@ -73,6 +76,7 @@ void resetView(widgets::EditorState& state)
         options.*each.member = fresh.*each.member;
     }
     options.look = fresh.look;
+    options.ownLook = 0;
     options.property = fresh.property;
     state.setViewOptions(options);
 }

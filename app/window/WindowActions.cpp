@@ -265,6 +265,7 @@ const WindowAction kViewActions[] = {
      [](MainWindow& w, bool on) {
          auto options = w.state().viewOptions();
          options.look = on ? render::Look::Lit : render::Look::Plain;
+         options.ownLook = 0;
          w.state().setViewOptions(options);
      },
      {.inputs = ActionInput::View,

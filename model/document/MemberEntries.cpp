@@ -60,7 +60,8 @@ bool isSame(const StageEntry& a, const StageEntry& b)
 
 bool isSame(const NamedCamera& a, const NamedCamera& b)
 {
-    return a.name == b.name && isSame(a.camera, b.camera) && a.unknownMembers == b.unknownMembers;
+    return a.name == b.name && isSame(a.camera, b.camera) && a.look == b.look &&
+           a.unknownMembers == b.unknownMembers;
 }
 
 bool isSame(const Place& a, const Place& b)

@@ -57,6 +57,7 @@ public:
     void setLighting(const Lighting& lighting) { set<members::Light>(lighting); }
     /// By ascending ids.
     void setLights(Lights lights) { set<members::Lights>(std::move(lights)); }
+    void setLooks(Looks looks) { set<members::Looks>(std::move(looks)); }
     void setRules(std::vector<Rule> rules) { set<members::Rules>(std::move(rules)); }
     void setTags(std::vector<TagName> tags) { set<members::Tags>(std::move(tags)); }
     /// By ascending ids.

@@ -16,6 +16,7 @@
 #include "model/scene/Feature.h"
 #include "model/scene/Group.h"
 #include "model/scene/Light.h"
+#include "model/scene/LookPreset.h"
 #include "model/scene/Relation.h"
 
 namespace crowd::model {
@@ -243,6 +244,7 @@ json entriesJson()
     const NumberName number;
     const Cue cue;
     const Light light;
+    const LookPreset look;
     const Rule rule;
     const json first = {{"kind", rule.trigger.kind().text.key}};
     return {
@@ -265,6 +267,8 @@ json entriesJson()
         entryJson("Cue", "cues", "A button that sends an event.", fieldsJson(cueFields(), &cue)),
         entryJson("Light", "lights", "A light that stands in the scene, beside sun and sky.",
                   fieldsJson(fieldsOf<Light>(), &light)),
+        entryJson("Look", "looks", "A way of drawing that belongs to the scene.",
+                  fieldsJson(fieldsOf<LookPreset>(), &look)),
         entryJson("Rule", "rules", "When this happens, and the conditions hold, do this.",
                   fieldsJson(ruleFields(), &rule),
                   {partField("when", "Trigger", "what makes it fire", first),

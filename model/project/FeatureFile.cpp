@@ -3,49 +3,18 @@
 
 #include <algorithm>
 
-#include <QtCore/QFile>
-#include <nlohmann/json.hpp>
-
 #include "model/features/FeatureWriting.h"
 #include "model/project/MemberJson.h"
-#include "model/project/WholeFile.h"
+#include "model/project/SharedFile.h"
 
 namespace crowd::model {
 
-using nlohmann::json;
-
 namespace {
 
-constexpr const char* kFeatureFormat = "crowdbrush features";
-constexpr int kFeatureVersion = 1;
-constexpr int kDeepestFeature = 64;            ///< as project files
-constexpr qint64 kMostFeatureBytes = 16 << 20; ///< no file of features is larger
-
-Result<FeatureKinds> kindsIn(const json& content, const std::string& path)
-{
-    const bool isOne = content.is_object() && content.contains("format") &&
-                       content["format"].is_string() && content["format"] == kFeatureFormat;
-    if (!isOne) {
-        return Error{QT_TRANSLATE_NOOP("Messages", "%1 holds no features. Choose a file that was "
-                                                   "saved from the panel Features."),
-                     path};
-    }
-    if (content.contains("version") && content["version"].is_number_integer() &&
-        content["version"] > kFeatureVersion) {
-        return Error{
-            QT_TRANSLATE_NOOP("Messages", "%1 was written by a newer version; update to use it."),
-            path};
-    }
-    Scene scene;
-    scene.features.clear();
-    Message problem;
-    JsonFields top(content, "", problem);
-    readMember(members::Features(), top, scene, problem);
-    if (!problem.empty()) {
-        return Error{QT_TRANSLATE_NOOP("Messages", "%1 cannot be used: %2"), path, problem};
-    }
-    return std::move(scene.features);
-}
+constexpr SharedFormat kFeatureFormat{
+    "crowdbrush features", 1,
+    QT_TRANSLATE_NOOP("Messages", "%1 holds no features. Choose a file that was saved from the "
+                                  "panel Features.")};
 
 /// What of a kind comes in, with ids of the scene.
 Result<void> putKind(FeatureKind& target, const FeatureKind& coming, std::uint32_t& nextId)
@@ -74,33 +43,26 @@ Result<void> writeFeatureFile(const FeatureKinds& kinds, const QString& path)
 {
     Scene scene;
     scene.features = kinds;
-    const json content = {{"format", kFeatureFormat},
-                          {"version", kFeatureVersion},
-                          {members::Features::key, memberJson(members::Features(), scene)}};
-    return writeWholeFile(path, content.dump(2, ' ', false, json::error_handler_t::replace));
+    return writeSharedFile(path, kFeatureFormat, members::Features::key,
+                           memberJson(members::Features(), scene));
 }
 
 Result<FeatureKinds> readFeatureFile(const QString& path)
 {
-    const std::string name = path.toStdString();
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        return Error{QT_TRANSLATE_NOOP("Messages", "%1 cannot be read: %2"), name,
-                     file.errorString().toStdString()};
+    const auto content = readSharedFile(path, kFeatureFormat);
+    if (!content) {
+        return content.error();
     }
-    if (file.size() > kMostFeatureBytes) {
-        return Error{QT_TRANSLATE_NOOP("Messages", "%1 holds no features. Choose a file that was "
-                                                   "saved from the panel Features."),
-                     name};
+    Scene scene;
+    scene.features.clear();
+    Message problem;
+    JsonFields top(content.value(), "", problem);
+    readMember(members::Features(), top, scene, problem);
+    if (!problem.empty()) {
+        return Error{QT_TRANSLATE_NOOP("Messages", "%1 cannot be used: %2"), path.toStdString(),
+                     problem};
     }
-    const QByteArray bytes = file.read(kMostFeatureBytes);
-    bool isTooDeep = false; // writing what is not known goes down as deep
-    const auto notTooDeep = [&isTooDeep](int depth, json::parse_event_t, const json&) {
-        isTooDeep = isTooDeep || depth > kDeepestFeature;
-        return !isTooDeep;
-    };
-    const json content = json::parse(bytes.begin(), bytes.end(), notTooDeep, false);
-    return kindsIn(isTooDeep ? json() : content, name);
+    return std::move(scene.features);
 }
 
 Result<FeatureKinds> withKinds(const Scene& scene, const FeatureKinds& others)

@@ -15,14 +15,18 @@ using nlohmann::json;
 json toJson(const NamedCamera& named)
 {
     const Camera& camera = named.camera;
-    return withUnknown(named.unknownMembers,
-                       {{"name", named.name},
-                        {"position", numbers(camera.position)},
-                        {"orientation", numbers(camera.orientation)},
-                        {"orthographic", camera.projection == Projection::Orthographic},
-                        {"fovY", number(camera.fovYRadians)},
-                        {"orthographicHeight", number(camera.orthographicHeight)},
-                        {"pivotDistance", number(camera.pivotDistance)}});
+    json object = withUnknown(named.unknownMembers,
+                              {{"name", named.name},
+                               {"position", numbers(camera.position)},
+                               {"orientation", numbers(camera.orientation)},
+                               {"orthographic", camera.projection == Projection::Orthographic},
+                               {"fovY", number(camera.fovYRadians)},
+                               {"orthographicHeight", number(camera.orthographicHeight)},
+                               {"pivotDistance", number(camera.pivotDistance)}});
+    if (named.look != 0) {
+        object["look"] = named.look;
+    }
+    return object;
 }
 
 json toJson(const Lighting& light)
@@ -43,6 +47,7 @@ NamedCamera cameraFrom(JsonFields fields)
     fields.read("fovY", named.camera.fovYRadians);
     fields.read("orthographicHeight", named.camera.orthographicHeight);
     fields.read("pivotDistance", named.camera.pivotDistance);
+    fields.read("look", named.look);
     named.camera.projection = isOrthographic ? Projection::Orthographic : Projection::Perspective;
     if (named.camera.fovYRadians <= 0.01F || named.camera.fovYRadians >= 3.1F) {
         fields.complain("fovY",
@@ -64,6 +69,19 @@ Lighting lightingFrom(JsonFields fields)
     return light;
 }
 
+LookPreset lookFrom(JsonFields fields, const Looks& others)
+{
+    LookPreset look;
+    readFields(fields, fieldsOf<LookPreset>(), &look);
+    if (look.name.empty()) {
+        fields.complain("name", QT_TRANSLATE_NOOP("Messages", "%1 must not be empty"));
+    } else if (findLook(others, look.name) != nullptr) {
+        fields.complain("name", QT_TRANSLATE_NOOP("Messages", "%1 is that of another look"));
+    }
+    look.unknownMembers = fields.unknown();
+    return look;
+}
+
 } // namespace
 
 json memberJson(members::Cameras, const Scene& scene)
@@ -80,6 +98,20 @@ void readMember(members::Cameras, JsonFields& top, Scene& scene, Message& proble
     readObjects(top, "cameras", "", problem, [&scene](JsonFields fields, const std::string&) {
         scene.cameras.push_back(cameraFrom(std::move(fields)));
     });
+}
+
+void readMember(members::Looks, JsonFields& top, Scene& scene, Message& problem)
+{
+    const char* key = members::Looks::key;
+    readObjects(top, key, "", problem, [&scene](JsonFields fields, const std::string&) {
+        scene.looks.push_back(lookFrom(std::move(fields), scene.looks));
+    });
+    Looks byId = scene.looks;
+    sortById(byId, key, problem);
+    if (scene.looks.size() > kMostLooks && problem.empty()) {
+        problem = {QT_TRANSLATE_NOOP("Messages", "%1: a scene has at most %2 looks"), key,
+                   kMostLooks};
+    }
 }
 
 json memberJson(members::Light, const Scene& scene)

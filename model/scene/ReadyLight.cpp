@@ -71,7 +71,10 @@ std::span<const ReadyLight> readyLights()
                            {srgb(206, 212, 220), 0.85F, srgb(150, 160, 172), srgb(202, 208, 214)})},
         ReadyLight{"night", QT_TRANSLATE_NOOP("Fields", "Night"),
                    lightOf({-40.0F, 40.0F, srgb(150, 176, 230), 0.24F, 0.8F, 1.0F},
-                           {srgb(84, 100, 150), 0.26F, srgb(8, 12, 28), srgb(30, 38, 62)})}};
+                           {srgb(84, 100, 150), 0.26F, srgb(8, 12, 28), srgb(30, 38, 62)})},
+        ReadyLight{"studio", QT_TRANSLATE_NOOP("Fields", "Studio"),
+                   lightOf({35.0F, 48.0F, srgb(255, 252, 248), 0.85F, 0.55F, 6.0F},
+                           {srgb(226, 232, 240), 0.7F, srgb(206, 210, 214), srgb(232, 234, 236)})}};
     return kReady;
 }
 

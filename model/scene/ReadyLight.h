@@ -16,7 +16,7 @@ struct ReadyLight
     Lighting light;
 };
 
-/// Noon, afternoon, dusk, overcast, night.
+/// Noon, afternoon, dusk, overcast, night, studio.
 [[nodiscard]] std::span<const ReadyLight> readyLights();
 [[nodiscard]] const ReadyLight* findReadyLight(std::string_view key); ///< null: none
 /// With the ground that a scene has.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -58,6 +59,19 @@ const Path* Scene::findPath(PathId id) const
 const Group* Scene::findGroup(GroupId id) const
 {
     return findById(groups, id);
+}
+
+LookId Scene::freeLookId() const
+{
+    LookId last = 0;
+    for (const LookPreset& each : looks) {
+        last = std::max(last, each.id);
+    }
+    for (const NamedCamera& each : cameras) {
+        last = std::max(last, each.look);
+    }
+    const bool isFull = looks.size() >= kMostLooks || last == std::numeric_limits<LookId>::max();
+    return isFull ? 0 : last + 1;
 }
 
 bool Scene::isTouchable(std::size_t row) const

@@ -18,6 +18,7 @@
 #include "model/scene/Group.h"
 #include "model/scene/Light.h"
 #include "model/scene/Lighting.h"
+#include "model/scene/LookPreset.h"
 #include "model/scene/Path.h"
 #include "model/scene/Relation.h"
 #include "model/scene/Stage.h"
@@ -74,6 +75,7 @@ struct NamedCamera
 {
     std::string name;
     Camera camera;
+    LookId look = 0;              ///< that the view takes on with it; 0, or one that is gone: none
     std::string unknownMembers{}; ///< see Scene::unknownMembers
 };
 
@@ -100,6 +102,7 @@ struct Scene
     std::vector<NamedCamera> cameras;
     Lighting lighting = newLighting();
     Lights lights;                   ///< ascending ids
+    Looks looks;                     ///< in the order in which they are shown
     std::vector<Place> places;       ///< ascending ids
     std::vector<Path> paths;         ///< ascending ids; their places are there
     std::vector<Group> groups;       ///< ascending ids
@@ -128,6 +131,8 @@ struct Scene
     [[nodiscard]] const Place* findPlace(PlaceId id) const;
     [[nodiscard]] const Path* findPath(PathId id) const;
     [[nodiscard]] const Group* findGroup(GroupId id) const;
+    /// For one more: above all that there are and that cameras ask for; 0: there is no room.
+    [[nodiscard]] LookId freeLookId() const;
     /// Whether strokes, moves and selections may touch a row: not where its group is hidden or
     /// locked.
     [[nodiscard]] bool isTouchable(std::size_t row) const;

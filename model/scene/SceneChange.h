@@ -38,6 +38,10 @@ struct LightingChanged
 struct LightsChanged
 {
 };
+/// Looks that belong to it.
+struct LooksChanged
+{
+};
 /// Places or paths.
 struct PathsChanged
 {
@@ -72,8 +76,8 @@ struct SceneReplaced
 
 using SceneChange =
     std::variant<IndividualsAdded, IndividualsRemoved, ColumnsChanged, TemplatesChanged,
-                 StagesChanged, CamerasChanged, LightingChanged, LightsChanged, PathsChanged,
-                 GroupsChanged, RulesChanged, StatesChanged, FeaturesChanged, RelationKindsChanged,
-                 RelationsChanged, SceneReplaced>;
+                 StagesChanged, CamerasChanged, LightingChanged, LightsChanged, LooksChanged,
+                 PathsChanged, GroupsChanged, RulesChanged, StatesChanged, FeaturesChanged,
+                 RelationKindsChanged, RelationsChanged, SceneReplaced>;
 
 } // namespace crowd::model

@@ -33,7 +33,8 @@ struct SceneMember
     static constexpr bool isEnvironment =
         std::is_same_v<Change, PathsChanged> || std::is_same_v<Change, RulesChanged> ||
         std::is_same_v<Change, GroupsChanged> || std::is_same_v<Change, FeaturesChanged> ||
-        std::is_same_v<Change, RelationKindsChanged> || std::is_same_v<Change, LightsChanged>;
+        std::is_same_v<Change, RelationKindsChanged> || std::is_same_v<Change, LightsChanged> ||
+        std::is_same_v<Change, LooksChanged>;
     /// Whether files are without it where there is nothing of it.
     static constexpr bool isOptional = isEnvironment || std::is_same_v<Change, StatesChanged> ||
                                        std::is_same_v<Change, RelationsChanged>;
@@ -75,6 +76,10 @@ struct Light : SceneMember<&Scene::lighting, LightingChanged, MemberKind::Value>
 struct Lights : SceneMember<&Scene::lights, LightsChanged, MemberKind::Value>
 {
     static constexpr const char* key = "lights";
+};
+struct Looks : SceneMember<&Scene::looks, LooksChanged, MemberKind::Value>
+{
+    static constexpr const char* key = "looks";
 };
 struct Tags : SceneMember<&Scene::tags, RulesChanged, MemberKind::Value>
 {
@@ -123,9 +128,10 @@ struct States : SceneMember<&Scene::states, StatesChanged, MemberKind::Value>
 /// The one list. A member comes after those that it refers to: undo takes it back before them.
 using SceneMembers =
     std::tuple<members::Templates, members::Stages, members::Places, members::Paths,
-               members::Groups, members::Cameras, members::Light, members::Lights, members::Tags,
-               members::Rules, members::Numbers, members::Cues, members::Steps, members::Surface,
-               members::Features, members::RelationKinds, members::Relations, members::States>;
+               members::Groups, members::Cameras, members::Light, members::Lights, members::Looks,
+               members::Tags, members::Rules, members::Numbers, members::Cues, members::Steps,
+               members::Surface, members::Features, members::RelationKinds, members::Relations,
+               members::States>;
 
 inline constexpr std::size_t kMemberCount = std::tuple_size_v<SceneMembers>;
 

@@ -57,7 +57,7 @@ void useLight(Style& style, const RenderInput& input, const LookInfo& look,
     }
     style.tone = Tone::from(lighting);
     // Soft darkness is not drawn with ink.
-    const bool hasInk = look.inkPixels > 0.0F;
+    const bool hasInk = style.inkPixels > 0.0F;
     style.occlusion = input.showShadows && !hasInk ? lighting.occlusion : 0.0F;
     // Clay is dull, and ink has its own way to say that something shines.
     style.highlights = look.paint == nullptr && !hasInk ? lighting.highlights : 0.0F;
@@ -72,7 +72,7 @@ Style Style::of(const RenderInput& input)
     Style style;
     style.surfaceDefines = look.defines;
     style.light = LinearLight::from(lighting);
-    style.inkPixels = look.inkPixels;
+    style.inkPixels = input.ink ? input.ink->pixels : look.inkPixels;
     style.isWire = look.isWire;
     if (look.paint != nullptr) {
         const glm::vec3 ground = style.light.onGround();
@@ -105,6 +105,9 @@ Style Style::of(const RenderInput& input)
     }
     if (style.inkPixels > 0.0F && style.castsShadows()) {
         style.blobStrength = 0.0F;
+    }
+    if (input.ink) {
+        style.inkColor = model::linearFromSrgb(input.ink->color);
     }
     style.selectionColor = input.selectionColor;
     return style;

@@ -4,6 +4,7 @@
 #include <QtTest/QTest>
 #include <QtWidgets/QMenu>
 
+#include "model/document/SceneEdit.h"
 #include "render/Looks.h"
 #include "tests/program/WindowTest.h"
 #include "widgets/state/EditorState.h"
@@ -14,6 +15,7 @@ class TestLookMenu : public QObject
 
 private Q_SLOTS:
     void everyLookCanBeChosen();
+    void looksOfTheSceneAreBelow();
     void keysNameLooks();
 };
 
@@ -34,6 +36,34 @@ void TestLookMenu::everyLookCanBeChosen()
         QVERIFY(action->isChecked());
         QVERIFY(!action->text().isEmpty());
     }
+}
+
+void TestLookMenu::looksOfTheSceneAreBelow()
+{
+    crowd::model::SceneDocument document;
+    crowd::widgets::EditorState state(document);
+    QMenu menu;
+    crowd::app::fillLookMenu(menu, state);
+    const auto styles = menu.actions().size();
+    crowd::model::LookPreset dusk;
+    dusk.id = 4;
+    dusk.name = "Dusk & after";
+    document.edit(QStringLiteral("Add"),
+                  [&dusk](crowd::model::SceneEdit& edit) { edit.setLooks({dusk}); });
+    for (int time = 0; time < 2; ++time) {
+        Q_EMIT menu.aboutToShow();
+        QCOMPARE(menu.actions().size(), styles + 2); // with a line between, once
+    }
+    QCOMPARE(menu.actions().back()->text(), QStringLiteral("Dusk && after"));
+    menu.actions().back()->trigger();
+    QCOMPARE(state.viewOptions().ownLook, crowd::model::LookId{4});
+    Q_EMIT menu.aboutToShow();
+    QVERIFY(menu.actions().back()->isChecked());
+    menu.findChild<QAction*>(QStringLiteral("look-choice-clay"))->trigger();
+    QCOMPARE(state.viewOptions().ownLook, crowd::model::LookId{0});
+    document.undoStack().undo();
+    Q_EMIT menu.aboutToShow();
+    QCOMPARE(menu.actions().size(), styles);
 }
 
 void TestLookMenu::keysNameLooks()

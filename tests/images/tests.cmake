@@ -1,4 +1,5 @@
 crowd_add_tests(ROOM images LINK crowd_app TESTS
     tst_LensWish
+    tst_LookWish
     tst_Pictures
 )

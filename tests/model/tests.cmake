@@ -41,6 +41,7 @@ crowd_add_tests(ROOM model
     tst_LastStrokes
     tst_LightCues
     tst_LightList
+    tst_LookList
     tst_Message
     tst_Neighbours
     tst_PickScene

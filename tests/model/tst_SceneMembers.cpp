@@ -65,6 +65,14 @@ void alter(members::Lights, SceneEdit& edit)
     light.softness = 0.7F;
     edit.set<members::Lights>({light});
 }
+void alter(members::Looks, SceneEdit& edit)
+{
+    LookPreset look;
+    look.id = 2;
+    look.name = "Evening";
+    look.light = LookLight::Dusk;
+    edit.setLooks({look});
+}
 void alter(members::Tags, SceneEdit& edit)
 {
     edit.set<members::Tags>({{3, "brave", {9, 8, 7}}});

@@ -242,7 +242,7 @@ void tst_UndoMemory::goesOnSpillingWhenThereIsRoomAgain()
         QVERIFY(!document.undoMemory().problem().empty());
     }
     turnEverybody(document, 2.0F);
-    QVERIFY(document.undoMemory().bytes() < 20000);
+    QVERIFY(document.undoMemory().bytes() < 25000); // one step, and what every step takes
     QVERIFY(document.undoMemory().problem().empty());
 }
 

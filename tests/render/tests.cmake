@@ -10,6 +10,7 @@ crowd_add_tests(ROOM render LINK crowd_render nlohmann_json::nlohmann_json TESTS
     tst_Lights
     tst_PaintedLooks
     tst_Renderer
+    tst_SceneLook
     tst_Shadows
     tst_SmoothEdges
 )

@@ -12,6 +12,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_FeaturesDock
     tst_LightDock
     tst_LightHandles
+    tst_LooksDock
     tst_RelationsDock
     tst_GroupsDock
     tst_IndividualDock

@@ -9,6 +9,7 @@
 #include <QtCore/QCoreApplication>
 
 #include "model/document/SceneEdit.h"
+#include "widgets/state/ShownLook.h"
 
 namespace crowd::widgets {
 
@@ -186,7 +187,22 @@ void goToCamera(EditorState& state, const QString& name)
         state.showStatus(ViewCommandsText::tr("There is no camera “%1” in this scene.").arg(name));
         return;
     }
+    showLookOf(state, *found);
     state.moveCameraTo(found->camera, name);
+}
+
+void setCameraLook(EditorState& state, const QString& name, model::LookId look)
+{
+    const auto found = findCamera(state, name);
+    if (found == state.scene().cameras.end() || found->look == look) {
+        return;
+    }
+    std::vector<NamedCamera> cameras = state.scene().cameras;
+    cameras[static_cast<std::size_t>(found - state.scene().cameras.begin())].look = look;
+    commitCameras(state, std::move(cameras), ViewCommandsText::tr("Look of camera “%1”").arg(name));
+    if (state.viewCamera().name == name) {
+        showLook(state, look);
+    }
 }
 
 QString addCamera(EditorState& state, const QString& name)

@@ -27,6 +27,8 @@ void toggleProjection(EditorState& state);
 void goToCamera(EditorState& state, const QString& name);
 /// Keeps the view under a name that is not taken yet ("View 3" if empty) and returns it.
 QString addCamera(EditorState& state, const QString& name = {});
+/// What the view looks like from there; 0: as it does elsewhere.
+void setCameraLook(EditorState& state, const QString& name, model::LookId look);
 /// Puts the present view into an existing bookmark.
 void updateCamera(EditorState& state, const QString& name);
 void removeCamera(EditorState& state, const QString& name);

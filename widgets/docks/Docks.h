@@ -12,6 +12,7 @@
 #include "widgets/docks/HistoryDock.h"
 #include "widgets/docks/IndividualDock.h"
 #include "widgets/docks/LightDock.h"
+#include "widgets/docks/LooksDock.h"
 #include "widgets/docks/PresetsDock.h"
 #include "widgets/docks/RelationsDock.h"
 #include "widgets/docks/RulesDock.h"

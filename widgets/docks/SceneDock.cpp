@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/docks/SceneDock.h"
 
+#include <algorithm>
 #include <map>
 
 #include <QtCore/QEvent>
@@ -145,6 +146,10 @@ void SceneDock::addCameras()
             new QTreeWidgetItem(cameras, {QString::fromStdString(camera.name)}, CameraItem);
         item->setData(0, kIdRole, QString::fromStdString(camera.name));
         item->setFlags(item->flags() | Qt::ItemIsEditable);
+        if (const auto* look = model::findLook(m_state.scene().looks, camera.look)) {
+            item->setText(1, QString::fromStdString(look->name));
+            item->setToolTip(1, tr("The look that the view takes on with this camera"));
+        }
     }
 }
 
@@ -232,8 +237,32 @@ void SceneDock::fillCameraMenu(QMenu& menu, const QString& name)
                    [this, name] { goToCamera(m_state, name); });
     menu.addAction(iconNamed("frame"), tr("Set to This View"), this,
                    [this, name] { updateCamera(m_state, name); });
+    addLookMenu(menu, name);
     menu.addAction(iconNamed("delete"), tr("Remove"), this,
                    [this, name] { removeCamera(m_state, name); });
+}
+
+/// What the view looks like from this camera.
+void SceneDock::addLookMenu(QMenu& menu, const QString& camera)
+{
+    QMenu* choices = menu.addMenu(iconNamed("look"), tr("Look"));
+    const model::Scene& scene = m_state.scene();
+    const auto found =
+        std::ranges::find(scene.cameras, camera.toStdString(), &model::NamedCamera::name);
+    const model::LookId now = found != scene.cameras.end() ? found->look : 0;
+    const auto add = [this, camera, choices, now](const QString& text, model::LookId look) {
+        QAction* action = choices->addAction(
+            text, this, [this, camera, look] { setCameraLook(m_state, camera, look); });
+        action->setCheckable(true);
+        action->setChecked(look == now);
+    };
+    add(tr("As It Is Elsewhere"), 0);
+    for (const model::LookPreset& each : scene.looks) {
+        add(QString::fromStdString(each.name), each.id);
+    }
+    if (scene.looks.empty()) {
+        choices->addAction(tr("Looks are made in the panel Looks"))->setEnabled(false);
+    }
 }
 
 void SceneDock::fillMenu(QMenu& menu, QTreeWidgetItem* item)

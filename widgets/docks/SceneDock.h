@@ -46,6 +46,7 @@ private:
     void fillStageMenu(QMenu& menu, std::uint8_t id);
     void fillTemplateMenu(QMenu& menu, model::TemplateId id);
     void fillCameraMenu(QMenu& menu, const QString& name);
+    void addLookMenu(QMenu& menu, const QString& camera);
     void removeStage(std::uint8_t id);
 
     EditorState& m_state;

@@ -10,6 +10,7 @@
 #include "model/scene/NearestPath.h"
 #include "widgets/state/BrushStart.h"
 #include "widgets/state/SceneChanges.h"
+#include "widgets/state/ShownLook.h"
 
 namespace crowd::widgets {
 
@@ -380,6 +381,7 @@ void EditorState::followScene(const model::SceneChange& change)
         [this](const model::GroupsChanged&) { forgetGone(*this); },
         [this](const model::StatesChanged&) { forgetGone(*this); },
         [this](const model::FeaturesChanged&) { forgetGone(*this); },
+        [this](const model::LooksChanged&) { showLook(*this, m_options.ownLook); },
         [this](const model::LightsChanged&) {
             if (findLight(scene().lights, m_chosenLight) == nullptr) {
                 chooseLight(0);
@@ -392,6 +394,7 @@ void EditorState::followScene(const model::SceneChange& change)
 void EditorState::beginScene()
 {
     chooseLight(0);
+    showLook(*this, 0);
     forgetMasks(*this);
     forgetGone(*this);
     refreshWalk(true);
@@ -409,6 +412,7 @@ void EditorState::beginScene()
         setCamera(Camera::lookingAt({9.0F, 6.0F, 14.0F}, {0.0F, 0.8F, 0.0F}));
     } else {
         setCamera(cameras.front().camera, QString::fromStdString(cameras.front().name));
+        showLookOf(*this, cameras.front());
     }
 }
 

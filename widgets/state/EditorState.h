@@ -57,6 +57,7 @@ struct ViewOptions
     bool selectsByLasso = false; ///< the select tool; else by a rectangle
     render::Look look = render::Look::Lit;
     std::string property = "template"; ///< of the look "property", as model::paintBy() takes it
+    model::LookId ownLook = 0; ///< of the scene, whose light, background and lines there are
     ButtonMapping buttons = ButtonMapping::Standard;
     PictureQuality quality = PictureQuality::Automatic;
     friend bool operator==(const ViewOptions&, const ViewOptions&) = default;

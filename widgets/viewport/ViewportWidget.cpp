@@ -10,8 +10,10 @@
 
 #include "model/base/Translated.h"
 #include "render/Renderer.h"
+#include "render/SceneLook.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/state/SceneChanges.h"
+#include "widgets/state/ShownLook.h"
 #include "widgets/tools/ScriptPainter.h"
 #include "widgets/viewport/BrushPopup.h"
 #include "widgets/viewport/PathLabels.h"
@@ -250,6 +252,9 @@ render::RenderInput ViewportWidget::renderInput()
     }
     setQuality(input);
     input.showShadows = options.showShadows;
+    if (const model::LookPreset* look = shownLook(m_state)) {
+        render::useLook(input, *look);
+    }
     input.selected = m_state.selection().ids();
     if (!m_state.washed().empty()) {
         input.selected = m_state.washed();
