@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <QtGui/QPixmap>
+#include <QtWidgets/QWidget>
 
 #include "model/view/PropertyPaint.h"
 #include "render/SceneLook.h"
@@ -22,7 +23,8 @@ constexpr std::size_t kMostInLooks = 20'000; ///< people; more would hold up the
 
 } // namespace
 
-LookPictures::LookPictures(EditorState& state, QObject* parent) : QObject(parent), m_state(state)
+LookPictures::LookPictures(EditorState& state, QWidget& panel)
+    : QObject(&panel), m_state(state), m_panel(panel)
 {
     m_next.setSingleShot(true);
     m_next.setInterval(kLookPictureMs);
@@ -48,6 +50,9 @@ QIcon LookPictures::of(const model::LookPreset& look)
 
 void LookPictures::drawNext()
 {
+    if (!m_panel.isVisible()) {
+        return;
+    }
     const model::Looks& looks = m_state.scene().looks;
     const auto next = std::ranges::find_if(looks, [this](const model::LookPreset& each) {
         const auto known = m_pictures.find(each.id);

@@ -10,6 +10,8 @@
 
 #include "model/scene/LookPreset.h"
 
+class QWidget;
+
 namespace crowd::widgets {
 
 class EditorState;
@@ -24,7 +26,8 @@ class LookPictures : public QObject
 public:
     static constexpr QSize kSize{64, 40}; ///< logical pixels
 
-    LookPictures(EditorState& state, QObject* parent);
+    /// They are drawn while the panel is seen, which is the parent.
+    LookPictures(EditorState& state, QWidget& panel);
 
     /// A plain symbol until it is drawn.
     [[nodiscard]] QIcon of(const model::LookPreset& look);
@@ -44,6 +47,7 @@ private:
     [[nodiscard]] QIcon draw(const model::LookPreset& look, bool& isComplete) const;
 
     EditorState& m_state;
+    QWidget& m_panel;
     std::map<model::LookId, Picture> m_pictures;
     QTimer m_next;
 };

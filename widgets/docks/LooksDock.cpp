@@ -44,7 +44,7 @@ QString readyName(const LookPreset& ready)
 
 LooksDock::LooksDock(EditorState& state, QWidget* parent)
     : DockBase(tr("Looks"), "looks", parent), m_state(state), m_list(new QListWidget(this)),
-      m_note(new QLabel(this)), m_pictures(new LookPictures(state, this))
+      m_note(new QLabel(this)), m_pictures(new LookPictures(state, *this))
 {
     m_list->setObjectName(QStringLiteral("looksList"));
     m_list->setFrameShape(QFrame::NoFrame);
@@ -142,6 +142,11 @@ void LooksDock::connectParts()
             [this] { m_edit.reset(); });
     connect(&m_state, &EditorState::viewOptionsChanged, this, &LooksDock::markShown);
     connect(m_pictures, &LookPictures::drawn, this, &LooksDock::fill);
+    connect(this, &QDockWidget::visibilityChanged, this, [this](bool isSeen) {
+        if (isSeen) {
+            fill(); // with pictures of now
+        }
+    });
     connect(m_list, &QListWidget::itemSelectionChanged, this, &LooksDock::choose);
     connect(m_list, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
         if (!m_isFilling) {

@@ -115,8 +115,8 @@ void SessionControl::followScene(const model::SceneChange& change)
             drop();
         });
     m_isBehaviourStale = true;
-    const bool isOfNoInterest =
-        isOneOf<model::CamerasChanged, model::LightingChanged, model::SceneReplaced>(change);
+    const bool isOfNoInterest = isOneOf<model::CamerasChanged, model::LightingChanged,
+                                        model::LooksChanged, model::SceneReplaced>(change);
     if (isRunning() && !isOfNoInterest && !m_isKeepingPose) {
         m_hand.start();
     }
