@@ -5380,6 +5380,14 @@
         <source>%1: a scene has at most %2 looks</source>
         <translation>%1: Eine Szene hat höchstens %2 Looks</translation>
     </message>
+    <message>
+        <source>There is no look &quot;%1&quot;; there are: %2.</source>
+        <translation>Es gibt keinen Look „%1“; es gibt: %2.</translation>
+    </message>
+    <message>
+        <source>Colours by &quot;%1&quot; are of the look &quot;property&quot;, not of &quot;%2&quot;: leave one of the two out.</source>
+        <translation>Farben nach „%1“ gehören zum Look „property“, nicht zu „%2“: Lassen Sie eines der beiden weg.</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>

@@ -5380,6 +5380,14 @@
         <source>%1: a scene has at most %2 looks</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>There is no look &quot;%1&quot;; there are: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours by &quot;%1&quot; are of the look &quot;property&quot;, not of &quot;%2&quot;: leave one of the two out.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>

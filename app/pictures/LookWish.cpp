@@ -47,14 +47,16 @@ model::Result<ChosenLook> chosenLook(const LookWish& wish, const model::Scene& s
     } else if (const auto look = render::lookOfKey(wish.look)) {
         chosen.look = *look;
     } else {
-        return model::Error{"There is no look \"" + wish.look + "\"; there are: " + keysOf(scene) +
-                            "."};
+        return model::Error{
+            QT_TRANSLATE_NOOP("Messages", "There is no look \"%1\"; there are: %2."), wish.look,
+            keysOf(scene)};
     }
     if (!wish.by.empty()) {
         if (isNamed && chosen.look != render::Look::Lit && chosen.look != render::Look::Property) {
-            return model::Error{"Colours by \"" + wish.by +
-                                "\" are of the look \"property\", not of \"" + wish.look +
-                                "\": leave one of the two out."};
+            return model::Error{
+                QT_TRANSLATE_NOOP("Messages", "Colours by \"%1\" are of the look \"property\", not "
+                                              "of \"%2\": leave one of the two out."),
+                wish.by, wish.look};
         }
         chosen.look = render::Look::Property;
         chosen.property = wish.by;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstring>
+#include <deque>
 #include <iterator>
 #include <utility>
 
@@ -31,6 +32,9 @@ struct OnTheWay
 OnTheWay onTheWay(const FadeTimes& times, const Population& people, double seconds)
 {
     OnTheWay way{&times, {}, {}, {}};
+    way.people.reserve(times.ids.size());
+    way.rows.reserve(times.ids.size());
+    way.shares.reserve(times.ids.size());
     const std::span<const IndividualId> ids = people.ids();
     std::size_t row = 0;
     for (std::size_t i = 0; i < times.ids.size(); ++i) {
@@ -52,14 +56,18 @@ OnTheWay onTheWay(const FadeTimes& times, const Population& people, double secon
 
 Tint between(const Tint& from, const Tint& to, float share)
 {
-    constexpr std::uint32_t kWhole = 1U << 16U;
-    const auto weight = static_cast<std::uint32_t>(share * static_cast<float>(kWhole));
-    const auto mix = [weight](std::uint32_t one, std::uint32_t other) {
-        const std::uint32_t sum = one * (kWhole - weight) + other * weight + kWhole / 2U;
-        return static_cast<std::uint8_t>(sum / kWhole);
+    // Two channels at once, 32 bits each: a crowd has a million of them.
+    constexpr std::uint64_t kWhole = 1U << 16U;
+    constexpr std::uint64_t kRound = kWhole / 2U << 32U | kWhole / 2U;
+    const auto weight = static_cast<std::uint64_t>(share * static_cast<float>(kWhole));
+    const auto pair = [](std::uint8_t low, std::uint64_t high) { return high << 32U | low; };
+    const auto mix = [weight](std::uint64_t one, std::uint64_t other) {
+        return (one * (kWhole - weight) + other * weight + kRound) / kWhole;
     };
-    return {mix(from.red, to.red), mix(from.green, to.green), mix(from.blue, to.blue),
-            mix(from.strength, to.strength)};
+    const std::uint64_t first = mix(pair(from.red, from.green), pair(to.red, to.green));
+    const std::uint64_t last = mix(pair(from.blue, from.strength), pair(to.blue, to.strength));
+    return {static_cast<std::uint8_t>(first), static_cast<std::uint8_t>(first >> 32U),
+            static_cast<std::uint8_t>(last), static_cast<std::uint8_t>(last >> 32U)};
 }
 
 /// The picture at one moment.
@@ -73,6 +81,15 @@ public:
     void apply(const FadeColumn& column);
 
 private:
+    [[nodiscard]] const OnTheWay& wayOf(const FadeTimes& times);
+    /// A column, to be written for those on the way.
+    template<class T>
+    [[nodiscard]] std::span<T> shown(ColumnKey<T> key)
+    {
+        Population& people = m_frame.population;
+        return m_way->rows.size() == people.size() ? people.edit(key)
+                                                   : people.edit(key, m_way->rows);
+    }
     template<class T, class Blend>
     void write(const FadeColumn& column, const Blend& blend);
     void writeBetween(const FadeColumn& column);
@@ -95,16 +112,24 @@ private:
 
     const std::vector<bool>& m_isBusy;
     CrowdFrame& m_frame;
-    OnTheWay m_way;
+    std::deque<OnTheWay> m_ways; ///< mostly the same people come from something in several columns
+    const OnTheWay* m_way = nullptr;               ///< of the column in hand
     std::vector<std::vector<const Clip*>> m_clips; ///< by template id, as its clip column counts
 };
 
+const OnTheWay& FadedFrame::wayOf(const FadeTimes& times)
+{
+    const auto known = std::ranges::find(m_ways, &times, &OnTheWay::times);
+    if (known != m_ways.end()) {
+        return *known;
+    }
+    return m_ways.emplace_back(onTheWay(times, m_frame.population, m_frame.seconds));
+}
+
 void FadedFrame::apply(const FadeColumn& column)
 {
-    if (m_way.times != column.times.get()) {
-        m_way = onTheWay(*column.times, m_frame.population, m_frame.seconds);
-    }
-    if (m_way.rows.empty()) {
+    m_way = &wayOf(*column.times);
+    if (m_way->rows.empty()) {
         return;
     }
     if (column.column == ColumnId::Clip) {
@@ -120,13 +145,13 @@ void FadedFrame::apply(const FadeColumn& column)
 template<class T, class Blend>
 void FadedFrame::write(const FadeColumn& column, const Blend& blend)
 {
-    const std::span<T> shown = m_frame.population.edit(ColumnKey<T>{column.column}, m_way.rows);
-    overRows(m_way.rows.size(), [&](std::size_t begin, std::size_t end) {
+    const std::span<T> values = shown(ColumnKey<T>{column.column});
+    overRows(m_way->rows.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             T from;
-            std::memcpy(&from, column.bytes.data() + m_way.people[i] * sizeof(T), sizeof(T));
-            T& to = shown[m_way.rows[i]];
-            to = blend(from, to, m_way.shares[i]);
+            std::memcpy(&from, column.bytes.data() + m_way->people[i] * sizeof(T), sizeof(T));
+            T& to = values[m_way->rows[i]];
+            to = blend(from, to, m_way->shares[i]);
         }
     });
 }
@@ -161,14 +186,14 @@ void FadedFrame::writeStep(const FadeColumn& column)
     const std::size_t stride = columnInfo(column.column).stride;
     const std::span<const IndividualId> all = m_frame.population.ids();
     std::vector<IndividualId> ids;
-    ids.reserve(m_way.rows.size());
-    std::vector<std::byte> values(m_way.rows.size() * stride);
+    ids.reserve(m_way->rows.size());
+    std::vector<std::byte> values(m_way->rows.size() * stride);
     withStride(stride, [&](auto width) {
         std::byte* to = values.data();
-        for (std::size_t i = 0; i < m_way.rows.size(); ++i) {
-            if (m_way.shares[i] < kHalf) {
-                ids.push_back(all[m_way.rows[i]]);
-                std::memcpy(to, column.bytes.data() + m_way.people[i] * width, width);
+        for (std::size_t i = 0; i < m_way->rows.size(); ++i) {
+            if (m_way->shares[i] < kHalf) {
+                ids.push_back(all[m_way->rows[i]]);
+                std::memcpy(to, column.bytes.data() + m_way->people[i] * width, width);
                 to += width;
             }
         }
@@ -195,18 +220,17 @@ void FadedFrame::findClips()
 
 void FadedFrame::writeClips(const FadeColumn& column)
 {
-    Population& people = m_frame.population;
-    const auto clips = people.edit(shownKeys::clip, m_way.rows);
-    const auto phases = people.edit(shownKeys::phase, m_way.rows);
-    const auto rates = people.edit(shownKeys::playbackSpeed, m_way.rows);
-    const auto templates = std::as_const(people).column(shownKeys::templateId);
+    const auto clips = shown(shownKeys::clip);
+    const auto phases = shown(shownKeys::phase);
+    const auto rates = shown(shownKeys::playbackSpeed);
+    const auto templates = std::as_const(m_frame.population).column(shownKeys::templateId);
     findClips();
     constexpr float kNotComing = 2.0F; // no share is
-    std::vector<ClipFade> coming(m_way.rows.size(), {0, 0, 0.0F, kNotComing});
-    overRows(m_way.rows.size(), [&](std::size_t begin, std::size_t end) {
+    std::vector<ClipFade> coming(m_way->rows.size(), {0, 0, 0.0F, kNotComing});
+    overRows(m_way->rows.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const std::uint32_t row = m_way.rows[i];
-            const std::uint32_t person = m_way.people[i];
+            const std::uint32_t row = m_way->rows[i];
+            const std::uint32_t person = m_way->people[i];
             if (isBusy(row)) {
                 continue;
             }
@@ -214,13 +238,13 @@ void FadedFrame::writeClips(const FadeColumn& column)
             std::memcpy(&clip, column.bytes.data() + person * sizeof(clip), sizeof(clip));
             const float phase = column.phases[person];
             const float rate = column.rates[person];
-            if (m_way.shares[i] <= 0.0F) {
+            if (m_way->shares[i] <= 0.0F) {
                 clips[row] = clip;
                 phases[row] = phase;
                 rates[row] = rate;
             } else if (const Clip* from = clipOf(templates[row], clip)) {
                 const float place = shownPhase(*from, phase, rate, m_frame.seconds);
-                coming[i] = {row, clip, place, m_way.shares[i]};
+                coming[i] = {row, clip, place, m_way->shares[i]};
             }
         }
     });
@@ -232,7 +256,7 @@ void FadedFrame::writeClips(const FadeColumn& column)
 void FadedFrame::replaceFades(std::vector<ClipFade> coming)
 {
     std::erase_if(m_frame.fades, [this](const ClipFade& fade) {
-        return !isBusy(fade.row) && std::ranges::binary_search(m_way.rows, fade.row);
+        return !isBusy(fade.row) && std::ranges::binary_search(m_way->rows, fade.row);
     });
     if (m_frame.fades.empty()) {
         m_frame.fades = std::move(coming);

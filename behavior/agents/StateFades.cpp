@@ -128,7 +128,8 @@ private:
     const Population& m_before;
     const Population& m_after;
     double m_seconds;
-    std::shared_ptr<const FadeTimes> m_last; ///< mostly the same people differ in several columns
+    /// Mostly the same people differ in several columns.
+    std::vector<std::shared_ptr<const FadeTimes>> m_known;
 };
 
 std::shared_ptr<const FadeTimes> Beginning::timesOf(ColumnId column)
@@ -155,10 +156,12 @@ std::shared_ptr<const FadeTimes> Beginning::timesOf(ColumnId column)
     if (times.ids.empty()) {
         return nullptr;
     }
-    if (!m_last || m_last->ids != times.ids) {
-        m_last = std::make_shared<const FadeTimes>(std::move(times));
+    const auto same = std::ranges::find_if(
+        m_known, [&times](const auto& known) { return known->ids == times.ids; });
+    if (same != m_known.end()) {
+        return *same;
     }
-    return m_last;
+    return m_known.emplace_back(std::make_shared<const FadeTimes>(std::move(times)));
 }
 
 } // namespace
