@@ -68,7 +68,22 @@ def looks():
     return crowdbrush.Picture(np.concatenate(rows, axis=0))
 
 
-PICTURES = {each.__name__: each for each in (highlights, cartoon, focus, mist, density, looks)}
+def figures():
+    """The paper's figures 9, 10 and 11: coloured spotlights, specular highlights, cartoon."""
+    size = (SIZE[0] // 2, SIZE[0] // 3)
+    night = scene_of("theatre", "night")
+    night.lights = [Light(id=i + 1, name=color, kind="spot", position=(place, 13, 4), target=(at, 2, far), color=color,
+                          strength=9, cone=.5, softness=.35, beam=.12)
+                    for i, (place, at, far, color) in enumerate([(-10, -7, -10, "#ff5030"), (8, 8, -8, "#4060ff")])]
+    low_sun = scene_of("theatre", "afternoon", highlights=2, sun_azimuth=1, sun_elevation=.35, ambient_strength=.35)
+    noon = scene_of("theatre", "noon")
+    return crowdbrush.Picture(np.concatenate([
+        night.render(*size, camera="From the stage", time=2),
+        low_sun.render(*size, camera="Close", time=2),
+        noon.render(*size, camera="Close", time=2, look="cartoon")], axis=1))
+
+
+PICTURES = {each.__name__: each for each in (highlights, cartoon, focus, mist, density, looks, figures)}
 
 
 def main():
