@@ -262,7 +262,7 @@ void addTagSwatch(FieldForm& form, const Bound& bound)
             const model::Scene& scene = sceneOf(form);
             const auto tag = static_cast<int>(form.valueOf<std::int64_t>(bound));
             QPixmap filled(14, 14);
-            filled.fill(tagColor(scene, tag));
+            filled.fill(widgets::tagColor(scene, tag));
             swatch->setPixmap(filled);
             const auto named = std::ranges::find(scene.tags, tag, &model::TagName::bit);
             name->setText(named != scene.tags.end() && !named->name.empty()
