@@ -39,8 +39,8 @@ std::string iconOf(std::size_t kind)
 } // namespace
 
 LightDock::LightDock(EditorState& state, QWidget* parent)
-    : DockBase(tr("Light"), "light", parent), m_state(state), m_list(new QListWidget(this)),
-      m_note(new QLabel(this))
+    : DockBase(tr("Light"), "light", parent), m_state(state), m_edit(state.document(), this),
+      m_list(new QListWidget(this)), m_note(new QLabel(this))
 {
     m_list->setObjectName(QStringLiteral("lights"));
     m_list->setFrameShape(QFrame::NoFrame);
@@ -133,7 +133,7 @@ void LightDock::makeSunForm()
     m_sunForm->setObjectName(QStringLiteral("lightForm"));
     m_sunForm->addFields(model::fieldsOf<model::Lighting>());
     m_sunForm->finish();
-    connect(m_sunForm, &FieldForm::held, this, &LightDock::hold);
+    connect(m_sunForm, &FieldForm::held, &m_edit, &HeldEdit::hold);
 }
 
 void LightDock::makeLightForm()
@@ -155,7 +155,7 @@ void LightDock::makeLightForm()
                             "and down."),
                          [this] { return !isAimed(shownLight()); });
     m_lightForm->finish();
-    connect(m_lightForm, &FieldForm::held, this, &LightDock::hold);
+    connect(m_lightForm, &FieldForm::held, &m_edit, &HeldEdit::hold);
     m_lightPlace->addWidget(m_lightForm);
 }
 
@@ -180,8 +180,6 @@ void LightDock::connectParts()
                     showChosen();
                 }
             });
-    connect(&m_state.document(), &model::SceneDocument::editInterrupted, this,
-            [this] { m_edit.reset(); });
     connect(&m_state, &EditorState::lightChosen, this, &LightDock::markChosen);
     connect(m_list, &QListWidget::currentRowChanged, this, &LightDock::choose);
     connect(m_list, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
@@ -294,39 +292,15 @@ void LightDock::changeLight(const std::function<void(void*)>& apply)
 
 void LightDock::put(const model::Lighting& light)
 {
-    if (m_edit) {
-        m_edit->setLighting(light);
-        return;
-    }
-    const auto outcome = m_state.document().edit(
-        tr("Change light"), [&](model::SceneEdit& edit) { edit.setLighting(light); });
-    if (outcome == model::EditOutcome::Refused) {
+    if (!m_edit.put(tr("Change light"), [&](model::SceneEdit& edit) { edit.setLighting(light); })) {
         m_sunForm->refresh();
     }
 }
 
 void LightDock::put(const model::Lights& lights, const QString& undoText)
 {
-    if (m_edit) {
-        m_edit->setLights(lights);
-        return;
-    }
-    const auto outcome =
-        m_state.document().edit(undoText, [&](model::SceneEdit& edit) { edit.setLights(lights); });
-    if (outcome == model::EditOutcome::Refused) {
+    if (!m_edit.put(undoText, [&](model::SceneEdit& edit) { edit.setLights(lights); })) {
         m_lightForm->refresh();
-    }
-}
-
-void LightDock::hold(bool isHeld)
-{
-    if (isHeld && !m_edit) {
-        if (auto edit = m_state.document().beginEdit()) {
-            m_edit = std::move(edit).value();
-        }
-    } else if (!isHeld && m_edit) {
-        const std::unique_ptr<model::SceneEdit> edit = std::move(m_edit);
-        edit->commit(m_state.chosenLight() == 0 ? tr("Change light") : tr("Change a light"));
     }
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <memory>
+#include <functional>
 
-#include "model/document/SceneEdit.h"
 #include "widgets/docks/DockBase.h"
+#include "widgets/docks/HeldEdit.h"
 #include "widgets/state/EditorState.h"
 
 class QLabel;
@@ -43,11 +43,10 @@ private:
     void changeLight(const std::function<void(void*)>& apply);
     void put(const model::Lighting& light);
     void put(const model::Lights& lights, const QString& undoText);
-    void hold(bool isHeld);
 
     EditorState& m_state;
-    std::unique_ptr<model::SceneEdit> m_edit; ///< while a slider is held
-    QListWidget* m_list = nullptr;            ///< children, as all below
+    HeldEdit m_edit;
+    QListWidget* m_list = nullptr; ///< children, as all below
     QLabel* m_note = nullptr;
     QWidget* m_remove = nullptr;
     QWidget* m_ready = nullptr;

@@ -43,8 +43,9 @@ QString readyName(const LookPreset& ready)
 } // namespace
 
 LooksDock::LooksDock(EditorState& state, QWidget* parent)
-    : DockBase(tr("Looks"), "looks", parent), m_state(state), m_list(new QListWidget(this)),
-      m_note(new QLabel(this)), m_pictures(new LookPictures(state, *this))
+    : DockBase(tr("Looks"), "looks", parent), m_state(state), m_edit(state.document(), this),
+      m_list(new QListWidget(this)), m_note(new QLabel(this)),
+      m_pictures(new LookPictures(state, *this))
 {
     m_list->setObjectName(QStringLiteral("looksList"));
     m_list->setFrameShape(QFrame::NoFrame);
@@ -122,7 +123,7 @@ void LooksDock::makeForm()
     m_form->setObjectName(QStringLiteral("lookForm"));
     m_form->addFields(model::fieldsOf<LookPreset>());
     m_form->finish();
-    connect(m_form, &FieldForm::held, this, &LooksDock::hold);
+    connect(m_form, &FieldForm::held, &m_edit, &HeldEdit::hold);
 }
 
 void LooksDock::connectParts()
@@ -138,8 +139,6 @@ void LooksDock::connectParts()
                     fill();
                 }
             });
-    connect(&m_state.document(), &model::SceneDocument::editInterrupted, this,
-            [this] { m_edit.reset(); });
     connect(&m_state, &EditorState::viewOptionsChanged, this, &LooksDock::markShown);
     connect(m_pictures, &LookPictures::drawn, this, &LooksDock::fill);
     connect(this, &QDockWidget::visibilityChanged, this, [this](bool isSeen) {
@@ -284,26 +283,9 @@ void LooksDock::change(const std::function<void(void*)>& apply)
 {
     model::Looks looks =
         withLook(m_state.scene().looks, shown().id, [&apply](LookPreset& look) { apply(&look); });
-    if (m_edit) {
-        m_edit->setLooks(std::move(looks));
-        return;
-    }
-    const auto outcome = m_state.document().edit(
-        tr("Change a look"), [&looks](model::SceneEdit& edit) { edit.setLooks(std::move(looks)); });
-    if (outcome == model::EditOutcome::Refused) {
+    if (!m_edit.put(tr("Change a look"),
+                    [&looks](model::SceneEdit& edit) { edit.setLooks(std::move(looks)); })) {
         m_form->refresh();
-    }
-}
-
-void LooksDock::hold(bool isHeld)
-{
-    if (isHeld && !m_edit) {
-        if (auto edit = m_state.document().beginEdit()) {
-            m_edit = std::move(edit).value();
-        }
-    } else if (!isHeld && m_edit) {
-        const std::unique_ptr<model::SceneEdit> edit = std::move(m_edit);
-        edit->commit(tr("Change a look"));
     }
 }
 

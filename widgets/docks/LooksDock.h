@@ -2,10 +2,9 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 
-#include "model/document/SceneEdit.h"
 #include "widgets/docks/DockBase.h"
+#include "widgets/docks/HeldEdit.h"
 #include "widgets/state/EditorState.h"
 
 class QLabel;
@@ -43,11 +42,10 @@ private:
     void saveShown();
     [[nodiscard]] const model::LookPreset& shown() const; ///< a plain one where there is none
     void change(const std::function<void(void*)>& apply);
-    void hold(bool isHeld);
 
     EditorState& m_state;
-    std::unique_ptr<model::SceneEdit> m_edit; ///< while a slider is held
-    QListWidget* m_list;                      ///< children, as all below
+    HeldEdit m_edit;
+    QListWidget* m_list; ///< children, as all below
     QLabel* m_note;
     QToolButton* m_add = nullptr;
     QWidget* m_remove = nullptr;
