@@ -23,6 +23,7 @@
 #include "widgets/docks/FeaturePreview.h"
 #include "widgets/docks/FieldForm.h"
 #include "widgets/docks/LastFolder.h"
+#include "widgets/docks/PanelButton.h"
 #include "widgets/state/FeatureTexts.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/theme/Icons.h"
@@ -31,7 +32,6 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr int kFeatureIcon = 20; ///< logical pixels
 const QString kFeatureFolder = QStringLiteral("features/folder");
 constexpr int kFeatureRows = 12;  ///< seen at once
 constexpr int kRoomBelowRows = 6; ///< logical pixels
@@ -57,17 +57,6 @@ std::span<const model::FieldInfo> formFields()
 QIcon featureSwatch(const model::PaintColor& color)
 {
     return swatchIcon(QColor(color[0], color[1], color[2]));
-}
-
-QToolButton* buttonOf(QWidget* parent, const char* icon, const QString& tip, const char* name)
-{
-    auto* button = new QToolButton(parent);
-    button->setObjectName(QLatin1String(name));
-    button->setIcon(iconNamed(icon));
-    button->setIconSize({kFeatureIcon, kFeatureIcon});
-    button->setToolTip(tip);
-    button->setAutoRaise(true);
-    return button;
 }
 
 } // namespace
@@ -119,8 +108,8 @@ QWidget* FeaturesDock::kindRow()
     m_kinds->setMinimumContentsLength(8);
     m_kinds->setAccessibleName(tr("Feature"));
     layout->addWidget(m_kinds, 1);
-    QToolButton* more =
-        buttonOf(row, "preferences", tr("New features, and files of features"), "featureKindMenu");
+    QToolButton* more = panelButton(row, "preferences", tr("New features, and files of features"),
+                                    "featureKindMenu");
     more->setMenu(m_kindMenu);
     more->setPopupMode(QToolButton::InstantPopup);
     connect(m_kindMenu, &QMenu::aboutToShow, this, &FeaturesDock::fillKindMenu);
@@ -133,7 +122,7 @@ QWidget* FeaturesDock::valueButtons()
     auto* row = new QWidget(this);
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
-    QToolButton* add = buttonOf(row, "add", tr("Add a value to the feature"), "addFeature");
+    QToolButton* add = panelButton(row, "add", tr("Add a value to the feature"), "addFeature");
     connect(add, &QToolButton::clicked, this, [this] {
         if (const model::FeatureKind* shown = kind()) {
             const model::FeatureId made = addFeature(m_state, shown->id);
@@ -146,7 +135,7 @@ QWidget* FeaturesDock::valueButtons()
     auto* chosenRow = new QHBoxLayout(m_valueButtons);
     chosenRow->setContentsMargins(0, 0, 0, 0);
     const auto addButton = [&](const char* icon, const QString& tip, const char* name, auto act) {
-        QToolButton* button = buttonOf(m_valueButtons, icon, tip, name);
+        QToolButton* button = panelButton(m_valueButtons, icon, tip, name);
         connect(button, &QToolButton::clicked, this, [this, act] { act(chosenId()); });
         chosenRow->addWidget(button);
     };

@@ -15,6 +15,7 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "widgets/commands/GroupCommands.h"
+#include "widgets/docks/PanelButton.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/theme/Icons.h"
 
@@ -80,11 +81,7 @@ QWidget* GroupsDock::buttons()
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
     const auto add = [&](const char* icon, const QString& tip, const char* name, auto act) {
-        auto* button = new QToolButton(row);
-        button->setObjectName(QLatin1String(name));
-        button->setIcon(iconNamed(icon));
-        button->setToolTip(tip);
-        button->setAutoRaise(true);
+        QToolButton* button = panelButton(row, icon, tip, name);
         layout->addWidget(button);
         connect(button, &QToolButton::clicked, this, act);
     };

@@ -16,6 +16,7 @@
 #include "model/scene/ReadyLight.h"
 #include "widgets/commands/LightCommands.h"
 #include "widgets/docks/FieldForm.h"
+#include "widgets/docks/PanelButton.h"
 #include "widgets/docks/PointPicking.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/state/SceneChanges.h"
@@ -73,11 +74,7 @@ QWidget* LightDock::makeButtons()
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
     const auto add = [&](const char* icon, const QString& tip, const char* name, auto act) {
-        auto* button = new QToolButton(row);
-        button->setObjectName(QLatin1String(name));
-        button->setIcon(iconNamed(icon));
-        button->setToolTip(tip);
-        button->setAutoRaise(true);
+        QToolButton* button = panelButton(row, icon, tip, name);
         connect(button, &QToolButton::clicked, this, act);
         layout->addWidget(button);
         return button;

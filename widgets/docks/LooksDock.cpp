@@ -20,6 +20,7 @@
 #include "widgets/docks/FieldForm.h"
 #include "widgets/docks/LastFolder.h"
 #include "widgets/docks/LookPictures.h"
+#include "widgets/docks/PanelButton.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/state/ShownLook.h"
 #include "widgets/theme/Icons.h"
@@ -79,11 +80,7 @@ QWidget* LooksDock::makeButtons()
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
     const auto add = [row, layout](const char* icon, const QString& tip, const char* name) {
-        auto* button = new QToolButton(row);
-        button->setObjectName(QLatin1String(name));
-        button->setIcon(iconNamed(icon));
-        button->setToolTip(tip);
-        button->setAutoRaise(true);
+        QToolButton* button = panelButton(row, icon, tip, name);
         layout->addWidget(button);
         return button;
     };

@@ -13,6 +13,7 @@
 
 #include "model/base/Translated.h"
 #include "widgets/docks/LastFolder.h"
+#include "widgets/docks/PanelButton.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
@@ -62,12 +63,7 @@ QWidget* PresetsDock::buttons()
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
     const auto add = [&](const char* icon, const QString& tip, const char* name, auto act) {
-        auto* button = new QToolButton(row);
-        button->setObjectName(QLatin1String(name));
-        button->setIcon(iconNamed(icon));
-        button->setIconSize({kPresetIcon, kPresetIcon});
-        button->setToolTip(tip);
-        button->setAutoRaise(true);
+        QToolButton* button = panelButton(row, icon, tip, name);
         layout->addWidget(button);
         connect(button, &QToolButton::clicked, this, act);
     };

@@ -17,6 +17,7 @@
 
 #include "widgets/commands/RelationCommands.h"
 #include "widgets/docks/FieldForm.h"
+#include "widgets/docks/PanelButton.h"
 #include "widgets/state/RelationTexts.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/theme/Icons.h"
@@ -25,8 +26,7 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr int kRelationIcon = 20; ///< logical pixels
-constexpr int kRelationRows = 8;  ///< seen at once
+constexpr int kRelationRows = 8; ///< seen at once
 constexpr int kRelationsRebuildMs = 30;
 constexpr int kRelationsCountMs = 300;
 constexpr int kRelationIdRole = Qt::UserRole;
@@ -95,12 +95,7 @@ QWidget* RelationsDock::buttons()
     chosenRow->setContentsMargins(0, 0, 0, 0);
     const auto addButton = [this](QBoxLayout* to, const char* icon, const QString& tip,
                                   const char* name, auto act) {
-        auto* button = new QToolButton(to->parentWidget());
-        button->setObjectName(QLatin1String(name));
-        button->setIcon(iconNamed(icon));
-        button->setIconSize({kRelationIcon, kRelationIcon});
-        button->setToolTip(tip);
-        button->setAutoRaise(true);
+        QToolButton* button = panelButton(to->parentWidget(), icon, tip, name);
         connect(button, &QToolButton::clicked, this, act);
         to->addWidget(button);
     };

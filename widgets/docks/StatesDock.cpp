@@ -21,6 +21,7 @@
 #include "model/states/StateDifference.h"
 #include "model/states/StateKeeping.h"
 #include "widgets/commands/StateCommands.h"
+#include "widgets/docks/PanelButton.h"
 #include "widgets/docks/RecallForm.h"
 #include "widgets/docks/StatePictures.h"
 #include "widgets/docks/WrapRow.h"
@@ -32,7 +33,6 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr int kStateIcon = 20; ///< logical pixels
 constexpr int kKeyedStates = 9;
 constexpr int kMostRows = 5;   ///< seen at once
 constexpr int kRoomBelow = 6;  ///< logical pixels
@@ -112,12 +112,7 @@ QWidget* StatesDock::buttons()
     layout->setContentsMargins(0, 0, 0, 0);
     const auto add = [&](QWidget* parent, const char* icon, const QString& tip, const char* name,
                          auto act) {
-        auto* button = new QToolButton(parent);
-        button->setObjectName(QLatin1String(name));
-        button->setIcon(iconNamed(icon));
-        button->setIconSize({kStateIcon, kStateIcon});
-        button->setToolTip(tip);
-        button->setAutoRaise(true);
+        QToolButton* button = panelButton(parent, icon, tip, name);
         connect(button, &QToolButton::clicked, this, act);
         return button;
     };
@@ -150,7 +145,7 @@ QWidget* StatesDock::difference()
     m_wash = new QToolButton(box);
     m_wash->setObjectName(QStringLiteral("washDifferent"));
     m_wash->setIcon(iconNamed("locate"));
-    m_wash->setIconSize({kStateIcon, kStateIcon});
+    m_wash->setIconSize({kPanelIcon, kPanelIcon});
     m_wash->setCheckable(true);
     m_wash->setAutoRaise(true);
     m_wash->setToolTip(tr("Outline in the picture who differs from the chosen state"));

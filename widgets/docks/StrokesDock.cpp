@@ -10,6 +10,7 @@
 #include "model/base/Random.h"
 #include "model/brush/StrokeText.h"
 #include "widgets/docks/BrushForm.h"
+#include "widgets/docks/PanelButton.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
@@ -21,7 +22,6 @@ namespace {
 
 constexpr int kLayMs = 40; ///< changes of a slider within it are laid together
 constexpr int kListRows = 6;
-constexpr int kStrokeIcon = 20; ///< logical pixels
 
 } // namespace
 
@@ -55,12 +55,7 @@ QWidget* StrokesDock::buttons()
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
     const auto add = [&](const char* icon, const QString& tip, auto act) {
-        auto* button = new QToolButton(row);
-        button->setObjectName(QLatin1String(icon));
-        button->setIcon(iconNamed(icon));
-        button->setToolTip(tip);
-        button->setIconSize({kStrokeIcon, kStrokeIcon});
-        button->setAutoRaise(true);
+        QToolButton* button = panelButton(row, icon, tip, icon);
         layout->addWidget(button);
         connect(button, &QToolButton::clicked, this, act);
         m_buttons << button;
