@@ -38,6 +38,7 @@ struct GltfFile
     std::string folder; ///< of the file, for URIs
     std::vector<ImageSource> images;
     std::vector<Message> warnings;
+    bool wantsReliefs = false; ///< normal maps are read too
 };
 
 /// Messages name the file, the place and the way out.

@@ -144,6 +144,7 @@ Result<TemplatePtr> importTemplate(const std::string& path, const ImportSettings
 Result<StagePtr> importStage(const std::string& path, const ImportProgress& progress)
 {
     return guarded<StagePtr>(path, progress, [&](GltfFile& file) -> Result<StagePtr> {
+        file.wantsReliefs = true; // nobody sees those of people, who are small
         Template asset;
         const Result<gltf::SceneNodes> scene = buildAsset(file, asset, progress);
         if (!scene) {

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kMaxCompared = 64; ///< slots of one name that a further one may join
 constexpr int kNoMaterial = std::numeric_limits<int>::max(); ///< sorts behind all others
+constexpr float kSteepest = 20.0F;                           ///< that a normal map is made
 
 const tinygltf::Material& materialAt(const tinygltf::Model& model, int material)
 {
@@ -86,7 +87,13 @@ int texCoordOf(const tinygltf::Material& material)
 {
     const TextureUse base = baseColorOf(material).use;
     const TextureUse emissive = emissiveUseOf(material);
-    return base.texture < 0 && emissive.texture >= 0 ? emissive.texCoord : base.texCoord;
+    const tinygltf::NormalTextureInfo& normal = material.normalTexture;
+    return base.texture >= 0       ? base.texCoord
+           : emissive.texture >= 0 ? emissive.texCoord
+           : normal.index >= 0     ? useOf(normal.index, normal.texCoord,
+                                           find(normal.extensions, "KHR_texture_transform"))
+                                     .texCoord
+                               : base.texCoord;
 }
 
 /// KHR_texture_transform: translation * rotation * scale, rotation counter-clockwise as seen in the
@@ -194,6 +201,9 @@ void SlotTable::finish()
     }
     if (m_slots.empty()) {
         m_slots.push_back(makeSlot({kNoMaterial}));
+    }
+    if (m_file.wantsReliefs) {
+        addReliefs();
     }
     NameSet names;
     for (Slot& slot : m_slots) {
@@ -333,6 +343,48 @@ void SlotTable::addGlow(const tinygltf::Material& material, MaterialChoice& choi
     }
     if (use.transform != nullptr) {
         choice.emissiveUvTransform = uvTransform(*use.transform);
+    }
+}
+
+/// After all other pictures: where there are too many, these are the ones to do without.
+void SlotTable::addReliefs()
+{
+    for (const auto& [key, slot] : m_slotOfKey) {
+        MaterialChoice& choice = m_slots[static_cast<std::size_t>(slot)].choices.front();
+        if (choice.normalImage < 0 && !choice.unlit) {
+            addRelief(materialAt(*m_file.model, key.front()), choice);
+        }
+    }
+}
+
+void SlotTable::addRelief(const tinygltf::Material& material, MaterialChoice& choice)
+{
+    const tinygltf::NormalTextureInfo& from = material.normalTexture;
+    const TextureUse use =
+        useOf(from.index, from.texCoord, find(from.extensions, "KHR_texture_transform"));
+    if (use.texture < 0) {
+        return;
+    }
+    const bool hasOthers = choice.image >= 0 || choice.emissiveImage >= 0;
+    if (hasOthers && use.texCoord != gltf::texCoordOf(material)) {
+        m_warnings.emplace_back(
+            QT_TRANSLATE_NOOP("Messages",
+                              "Material \"%1\": its normal map lies by another set of coordinates "
+                              "than its base colour, and is left out."),
+            material.name);
+        return;
+    }
+    choice.normalImage = m_images.fromTexture(use.texture);
+    if (choice.normalImage < 0) {
+        return;
+    }
+    const auto scale = static_cast<float>(from.scale);
+    choice.normalScale = std::isfinite(scale) ? std::clamp(scale, -kSteepest, kSteepest) : 1.0F;
+    if (!hasOthers) {
+        applySampler(*m_file.model, use.texture, choice);
+    }
+    if (use.transform != nullptr) {
+        choice.normalUvTransform = uvTransform(*use.transform);
     }
 }
 

@@ -42,6 +42,8 @@ private:
     [[nodiscard]] Slot makeSlot(const Key& key);
     [[nodiscard]] MaterialChoice makeChoice(int material);
     void addGlow(const tinygltf::Material& material, MaterialChoice& choice);
+    void addReliefs();
+    void addRelief(const tinygltf::Material& material, MaterialChoice& choice);
     [[nodiscard]] std::string variantName(int variant) const;
     void mergeIntoEarlier(const Key& key, Slot slot);
 

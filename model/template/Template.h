@@ -63,8 +63,11 @@ struct MaterialChoice
     glm::vec3 emissive{0.0F}; ///< linear; times the picture, where there is one
     int emissiveImage = -1;   ///< index into Template::images, -1 none; lies by the same uv
     std::array<float, 6> emissiveUvTransform{1, 0, 0, 0, 1, 0};
-    float roughness = 1.0F; ///< 0 a mirror, 1 without highlights
-    float metallic = 0.0F;  ///< 1: mirrors in its own colour
+    float roughness = 1.0F;   ///< 0 a mirror, 1 without highlights
+    float metallic = 0.0F;    ///< 1: mirrors in its own colour
+    int normalImage = -1;     ///< tangent space, glTF's; index into the images, -1 none
+    float normalScale = 1.0F; ///< of its x and y
+    std::array<float, 6> normalUvTransform{1, 0, 0, 0, 1, 0};
 };
 
 /// A named material of the template that each individual may tint and re-texture on its own.

@@ -14,6 +14,17 @@ namespace crowd::render {
 
 namespace {
 
+bool isDefined(std::string_view defines, std::string_view wanted)
+{
+    std::istringstream words{std::string(defines)};
+    for (std::string word; words >> word;) {
+        if (word == wanted) {
+            return true;
+        }
+    }
+    return false;
+}
+
 std::string fullText(const std::string& file, std::string_view defines)
 {
     std::string_view own = shaderSource(file);
@@ -31,6 +42,9 @@ std::string fullText(const std::string& file, std::string_view defines)
     if (file.ends_with(".vert")) {
         text += shaderSource("lighting.glsl");
     } else {
+        if (isDefined(defines, "RELIEF")) {
+            text += shaderSource("lighting.glsl");
+        }
         text += shaderSource("shadow.glsl");
         text += shaderSource("tone.glsl");
     }

@@ -34,6 +34,16 @@ void finish(GLenum target, const Sampling& sampling)
     glGenerateMipmap(target);
 }
 
+GlTexture upload(const model::Image& image, GLint format, const Sampling& sampling)
+{
+    GlTexture texture = GlTexture::create();
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, format, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 image.rgba.data());
+    finish(GL_TEXTURE_2D, sampling);
+    return texture;
+}
+
 } // namespace
 
 GlTexture uploadLayers(int width, int height, const std::vector<std::vector<std::uint8_t>>& layers,
@@ -53,12 +63,12 @@ GlTexture uploadLayers(int width, int height, const std::vector<std::vector<std:
 
 GlTexture uploadImage(const model::Image& image, const Sampling& sampling)
 {
-    GlTexture texture = GlTexture::create();
-    glBindTexture(GL_TEXTURE_2D, texture.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, image.width, image.height, 0, GL_RGBA,
-                 GL_UNSIGNED_BYTE, image.rgba.data());
-    finish(GL_TEXTURE_2D, sampling);
-    return texture;
+    return upload(image, GL_SRGB8_ALPHA8, sampling);
+}
+
+GlTexture uploadValues(const model::Image& image, const Sampling& sampling)
+{
+    return upload(image, GL_RGBA8, sampling);
 }
 
 } // namespace crowd::render

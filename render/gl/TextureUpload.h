@@ -16,7 +16,8 @@ namespace crowd::render {
 [[nodiscard]] GlTexture uploadLayers(int width, int height,
                                      const std::vector<std::vector<std::uint8_t>>& layers,
                                      const Sampling& sampling);
-/// An sRGB texture with mipmaps.
+/// An sRGB texture with mipmaps, and one of plain numbers.
 [[nodiscard]] GlTexture uploadImage(const model::Image& image, const Sampling& sampling);
+[[nodiscard]] GlTexture uploadValues(const model::Image& image, const Sampling& sampling);
 
 } // namespace crowd::render

@@ -19,6 +19,7 @@ namespace {
 using namespace model;
 
 constexpr int kFramesBeforeDroppingStage = 60;
+constexpr int kReliefUnit = 2; ///< of textures
 
 struct StageVertex
 {
@@ -82,6 +83,12 @@ void pointAttributes()
     }
 }
 
+/// Whether anything of it lies by texture coordinates.
+bool isTextured(const MaterialChoice& material)
+{
+    return material.image >= 0 || material.emissiveImage >= 0 || material.normalImage >= 0;
+}
+
 std::string definesOf(const MaterialChoice& material, const Style& style)
 {
     // Walls and grounds are rough, and fill the picture: what they would mirror is not seen, but
@@ -89,7 +96,8 @@ std::string definesOf(const MaterialChoice& material, const Style& style)
     constexpr float kDull = 0.8F;
     std::string defines =
         material.roughness < kDull ? style.materialDefines() : style.surfaceDefines;
-    defines += material.image >= 0 || material.emissiveImage >= 0 ? "TEXTURED " : "";
+    defines += isTextured(material) ? "TEXTURED " : "";
+    defines += material.normalImage >= 0 && style.hasRelief ? "RELIEF " : "";
     defines += material.emissiveImage >= 0 ? "GLOWING " : "";
     defines += material.alphaMode == AlphaMode::Mask ? "CUTOUT " : "";
     defines += material.alphaMode == AlphaMode::Blend ? "BLENDED " : "";
@@ -113,11 +121,20 @@ Image fitting(const Image& image)
 GlTexture pictureOf(const StageAsset& asset, const MaterialChoice& material, int image)
 {
     static const Image white{"white", 1, 1, {255, 255, 255, 255}};
-    if (material.image < 0 && material.emissiveImage < 0) {
+    if (!isTextured(material)) {
         return {};
     }
     return uploadImage(image < 0 ? white : fitting(asset.images[static_cast<std::size_t>(image)]),
                        {material.wrapU, material.wrapV, material.nearest});
+}
+
+GlTexture reliefOf(const StageAsset& asset, const MaterialChoice& material)
+{
+    if (material.normalImage < 0) {
+        return {};
+    }
+    return uploadValues(fitting(asset.images[static_cast<std::size_t>(material.normalImage)]),
+                        {material.wrapU, material.wrapV, false});
 }
 
 void bindPicture(ShaderProgram& shader, const char* name, int unit, const GlTexture& picture)
@@ -157,6 +174,7 @@ StagePass::Gpu& StagePass::gpuOf(const StagePtr& asset)
     for (const MaterialChoice& material : asset->materials) {
         gpu->textures.push_back(pictureOf(*asset, material, material.image));
         gpu->glows.push_back(pictureOf(*asset, material, material.emissiveImage));
+        gpu->reliefs.push_back(reliefOf(*asset, material));
     }
     return *gpu;
 }
@@ -170,9 +188,19 @@ void StagePass::setSurface(ShaderProgram& shader, const Gpu& gpu, std::size_t in
     const std::array<float, 6>& uv = material.uvTransform;
     shader.set("uvRowU", glm::vec3(uv[0], uv[1], uv[2]));
     shader.set("uvRowV", glm::vec3(uv[3], uv[4], uv[5]));
-    if (material.image >= 0 || material.emissiveImage >= 0) {
+    if (isTextured(material)) {
         bindPicture(shader, "image", 0, gpu.textures[index]);
     }
+}
+
+void StagePass::setRelief(ShaderProgram& shader, const Gpu& gpu, std::size_t index)
+{
+    const MaterialChoice& material = gpu.asset->materials[index];
+    const std::array<float, 6>& uv = material.normalUvTransform;
+    shader.set("reliefRowU", glm::vec3(uv[0], uv[1], uv[2]));
+    shader.set("reliefRowV", glm::vec3(uv[3], uv[4], uv[5]));
+    shader.set("reliefScale", material.normalScale);
+    bindPicture(shader, "reliefImage", kReliefUnit, gpu.reliefs[index]);
 }
 
 Result<void> StagePass::drawBatch(const PassContext& context, const Gpu& gpu, const Batch& batch,
@@ -202,6 +230,9 @@ Result<void> StagePass::drawBatch(const PassContext& context, const Gpu& gpu, co
         shader.set("glowRowU", glm::vec3(glow[0], glow[1], glow[2]));
         shader.set("glowRowV", glm::vec3(glow[3], glow[4], glow[5]));
         bindPicture(shader, "glowImage", 1, gpu.glows[index]);
+    }
+    if (material.normalImage >= 0 && context.style.hasRelief) {
+        setRelief(shader, gpu, index);
     }
     (material.doubleSided ? glDisable : glEnable)(GL_CULL_FACE);
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.indexCount), GL_UNSIGNED_INT,

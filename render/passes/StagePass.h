@@ -42,6 +42,7 @@ private:
         std::vector<Batch> batches;
         std::vector<GlTexture> textures; ///< per material; empty where it has no picture at all
         std::vector<GlTexture> glows;    ///< likewise, emissive
+        std::vector<GlTexture> reliefs;  ///< of normals; empty where it has none
         int unusedFrames = 0;
     };
 
@@ -51,6 +52,7 @@ private:
                                                 const Batch& batch, const glm::mat4& matrix);
     [[nodiscard]] model::Result<void> drawCaster(const PassContext& context, const Gpu& gpu,
                                                  const Batch& batch, const glm::mat4& matrix);
+    static void setRelief(ShaderProgram& shader, const Gpu& gpu, std::size_t index);
     static void setSurface(ShaderProgram& shader, const Gpu& gpu, std::size_t index);
 
     std::map<const model::StageAsset*, std::unique_ptr<Gpu>> m_gpu;

@@ -59,6 +59,7 @@ void useLight(Style& style, const RenderInput& input, const LookInfo& look,
     // Soft darkness is not drawn with ink.
     const bool hasInk = style.inkPixels > 0.0F;
     style.occlusion = input.showShadows && !hasInk ? lighting.occlusion : 0.0F;
+    style.hasRelief = look.paint == nullptr && look.inkPixels <= 0.0F;
     // Clay is dull, and ink has its own way to say that something shines.
     style.highlights = look.paint == nullptr && !hasInk ? lighting.highlights : 0.0F;
 }

@@ -45,7 +45,8 @@ struct Style
         glm::vec3 stage{0.5F};
     };
     std::optional<Paint> paint;
-    bool isWire = false; ///< edges of triangles
+    bool isWire = false;    ///< edges of triangles
+    bool hasRelief = false; ///< normal maps are seen
     bool hasSky = true;
     bool hasGround = true;
     bool hasGrid = true;

@@ -1,4 +1,5 @@
-// Prepended to vertex shaders. All colours are linear.
+// Prepended to vertex shaders, and to those of fragments whose normal is their own. All colours are
+// linear.
 uniform vec3 sunDirection; // towards the sun, unit
 uniform vec3 sunColor;
 uniform vec3 skyColor;    // ambient from above
@@ -27,6 +28,14 @@ vec3 lightAt(vec3 normal)
     return sunAt(normal) + skyAt(normal);
 }
 
+// Share of a surface's light that is not the sun's.
+float skyShare(vec3 normal, vec3 others)
+{
+    float sky = dot(skyAt(normal) + others, vec3(0.2126, 0.7152, 0.0722));
+    float sun = dot(sunAt(normal), vec3(0.2126, 0.7152, 0.0722));
+    return sky / max(sky + sun, 1e-4);
+}
+
 #ifdef CARTOON
 uniform float fullLight; // luminance of all that sun and sky can give
 
@@ -44,9 +53,7 @@ uniform float shadowOffset;  // metres along the normal: surfaces do not shade t
 // One vector: a software rasteriser pays for each, whatever is in it. `others`: light from elsewhere.
 vec4 shadowedOf(vec3 world, vec3 normal, float unlit, vec3 others)
 {
-    float sky = dot(skyAt(normal) + others, vec3(0.2126, 0.7152, 0.0722));
-    float sun = dot(sunAt(normal), vec3(0.2126, 0.7152, 0.0722));
     return vec4((mapFromWorld * vec4(world + normal * shadowOffset, 1.0)).xyz,
-                mix(sky / max(sky + sun, 1e-4), 1.0, unlit));
+                mix(skyShare(normal, others), 1.0, unlit));
 }
 #endif

@@ -8,10 +8,10 @@ in float hazed;
 #ifdef SHADOWED
 in vec4 shadowed;
 #endif
-#if defined(LIGHTS) || defined(LOW_HAZE) || defined(HIGHLIGHTS)
+#if defined(LIGHTS) || defined(LOW_HAZE) || defined(HIGHLIGHTS) || defined(RELIEF)
 in vec3 worldPlace;
 #endif
-#if defined(LIGHTS) || defined(HIGHLIGHTS)
+#if defined(LIGHTS) || defined(HIGHLIGHTS) || defined(RELIEF)
 in vec3 surface;
 in vec3 worldNormal;
 #endif
@@ -28,9 +28,35 @@ uniform sampler2D glowImage;
 uniform vec2 gloss; // roughness, metallic
 #endif
 uniform float alphaCutoff;
-#ifdef HIGHLIGHTS
+#if defined(HIGHLIGHTS) && !defined(RELIEF)
 uniform vec3 sunDirection; // towards the sun, unit
 uniform vec3 sunColor;
+#endif
+#ifdef RELIEF
+in vec2 reliefUv;
+uniform sampler2D reliefImage;
+uniform float reliefScale;
+
+// The normal that a normal map makes of one, in the frame that its coordinates span there: C. Schüler,
+// Normal mapping without precomputed tangents, 2013. Rows of a picture go down, its y goes up.
+vec3 relieved(vec3 n)
+{
+    vec3 right = dFdx(worldPlace);
+    vec3 up = dFdy(worldPlace);
+    vec2 uvRight = dFdx(reliefUv);
+    vec2 uvUp = dFdy(reliefUv);
+    vec3 acrossRight = cross(n, right);
+    vec3 acrossUp = cross(up, n);
+    vec3 alongU = acrossUp * uvRight.x + acrossRight * uvUp.x;
+    vec3 alongV = acrossUp * uvRight.y + acrossRight * uvUp.y;
+    float longest = max(dot(alongU, alongU), dot(alongV, alongV));
+    if (longest <= 0.0) {
+        return n; // it has no coordinates
+    }
+    vec3 own = texture(reliefImage, reliefUv).xyz * (255.0 / 127.0) - 128.0 / 127.0;
+    own.xy *= reliefScale * inversesqrt(longest);
+    return normalize(alongU * own.x - alongV * own.y + n * max(own.z, 0.0) + n * 1e-4);
+}
 #endif
 out vec4 fragment;
 
@@ -43,16 +69,26 @@ void main()
 #ifdef CARTOON
     float share = level;
 #endif
+#if defined(LIGHTS) || defined(HIGHLIGHTS) || defined(RELIEF)
+    vec3 n = normalize(worldNormal);
+#endif
+#ifdef RELIEF
+    n = relieved(n);
+    result.rgb = surface * lightAt(n);
+#endif
 #ifdef SHADOWED
-    float dark = sunHidden(shadowed);
-    vec3 left = shadowedLight(shadowed, dark);
+    vec4 shade = shadowed;
+#ifdef RELIEF
+    shade.w = skyShare(n, vec3(0.0));
+#endif
+    float dark = sunHidden(shade);
+    vec3 left = shadowedLight(shade, dark);
     result.rgb *= left;
 #ifdef CARTOON
     share *= luminanceOf(left);
 #endif
 #endif
 #ifdef HIGHLIGHTS
-    vec3 n = normalize(worldNormal);
 #ifdef TEXTURED
     Mirror mirror = mirrorOf(worldPlace, gloss, surface * texel.rgb);
 #else
@@ -68,7 +104,7 @@ void main()
 #ifdef HIGHLIGHTS
     vec3 others = lightsAt(worldPlace, n, mirror, mirrored);
 #else
-    vec3 others = lightsAt(worldPlace, normalize(worldNormal));
+    vec3 others = lightsAt(worldPlace, n);
 #endif
     result.rgb += surface * others;
 #ifdef CARTOON

@@ -26,10 +26,10 @@ out vec4 color;
 #ifdef SHADOWED
 out vec4 shadowed;
 #endif
-#if defined(LIGHTS) || defined(LOW_HAZE) || defined(HIGHLIGHTS)
+#if defined(LIGHTS) || defined(LOW_HAZE) || defined(HIGHLIGHTS) || defined(RELIEF)
 out vec3 worldPlace;
 #endif
-#if defined(LIGHTS) || defined(HIGHLIGHTS)
+#if defined(LIGHTS) || defined(HIGHLIGHTS) || defined(RELIEF)
 out vec3 surface; // unlit
 out vec3 worldNormal;
 #endif
@@ -41,6 +41,11 @@ out vec3 glow;
 uniform vec3 glowRowU;
 uniform vec3 glowRowV;
 out vec2 glowUv;
+#endif
+#ifdef RELIEF
+uniform vec3 reliefRowU;
+uniform vec3 reliefRowV;
+out vec2 reliefUv;
 #endif
 
 void main()
@@ -64,10 +69,10 @@ void main()
 #ifdef SHADOWED
     shadowed = shadowedOf(world.xyz, n, own, vec3(0.0));
 #endif
-#if defined(LIGHTS) || defined(LOW_HAZE) || defined(HIGHLIGHTS)
+#if defined(LIGHTS) || defined(LOW_HAZE) || defined(HIGHLIGHTS) || defined(RELIEF)
     worldPlace = world.xyz;
 #endif
-#if defined(LIGHTS) || defined(HIGHLIGHTS)
+#if defined(LIGHTS) || defined(HIGHLIGHTS) || defined(RELIEF)
     surface = base.rgb * (1.0 - own);
     worldNormal = n;
 #endif
@@ -80,6 +85,9 @@ void main()
     glow = glowing;
 #else
     color.rgb += glowing;
+#endif
+#ifdef RELIEF
+    reliefUv = vec2(dot(reliefRowU, vec3(uv, 1.0)), dot(reliefRowV, vec3(uv, 1.0)));
 #endif
 #ifdef GLOWING
     glowUv = vec2(dot(glowRowU, vec3(uv, 1.0)), dot(glowRowV, vec3(uv, 1.0)));

@@ -40,6 +40,7 @@ private Q_SLOTS:
     void offersVariantsAsChoices();
     void readsTexturesWithTheirTransform();
     void shinesByItsPictureAlone();
+    void readsNormalMapsOfStages();
     void knowsWhatIsSmooth();
     void takesTheMeanOfPicturesOfSmoothness();
 
@@ -183,6 +184,50 @@ void tst_GltfMaterials::shinesByItsPictureAlone()
     // A picture that a black factor puts out is not even read.
     material["emissiveFactor"] = {0, 0, 0};
     QVERIFY(m_folder.load(builder)->warnings.empty());
+}
+
+void tst_GltfMaterials::readsNormalMapsOfStages()
+{
+    QImage picture(2, 2, QImage::Format_RGBA8888);
+    picture.fill(QColor(128, 128, 255));
+    GltfBuilder builder = GltfBuilder::triangle();
+    addPicture(builder, picture);
+    builder.add("images", {{"uri", "gone.png"}});
+    builder.add("textures", {{"source", 0}});
+    builder.add("textures", {{"source", 1}});
+    const Json transform = {{"KHR_texture_transform", {{"offset", {0.5, 0.25}}}}};
+    builder.add("materials",
+                {{"normalTexture", {{"index", 0}, {"scale", 0.5}, {"extensions", transform}}}});
+    primitive(builder)["material"] = 0;
+    const auto stageOf = [&] { return importStage(m_folder.save(builder)).value(); };
+    StagePtr stage = stageOf();
+    const MaterialChoice rough = stage->materials[0];
+    QCOMPARE(rough.normalImage, 0);
+    QCOMPARE(rough.normalScale, 0.5F);
+    QCOMPARE(rough.normalUvTransform[2], 0.5F);
+    QCOMPARE(stage->images.size(), std::size_t{1});
+    QVERIFY(stage->warnings.empty());
+    // Those of people are left alone.
+    const TemplatePtr person = m_folder.load(builder);
+    QCOMPARE(person->slots[0].choices[0].normalImage, -1);
+    QVERIFY(person->images.empty() && person->warnings.empty());
+    // Without the picture, or by other coordinates, it is smooth.
+    Json& material = builder.root["materials"][0];
+    material["normalTexture"] = {{"index", 1}};
+    stage = stageOf();
+    QCOMPARE(stage->materials[0].normalImage, -1);
+    QCOMPARE(stage->warnings.size(), std::size_t{1});
+    material["normalTexture"] = {{"index", 0}, {"texCoord", 1}, {"scale", 1e30}};
+    QCOMPARE(stageOf()->materials[0].normalImage, 0); // it alone says which
+    QVERIFY(stageOf()->materials[0].normalScale < 100.0F);
+    material["pbrMetallicRoughness"] = {{"baseColorTexture", {{"index", 0}}}};
+    stage = stageOf();
+    QCOMPARE(stage->materials[0].normalImage, -1);
+    QCOMPARE(stage->warnings.size(), std::size_t{1});
+    // Nothing is lit there.
+    material = {{"normalTexture", {{"index", 0}}},
+                {"extensions", {{"KHR_materials_unlit", Json::object()}}}};
+    QCOMPARE(stageOf()->materials[0].normalImage, -1);
 }
 
 void tst_GltfMaterials::knowsWhatIsSmooth()

@@ -9,6 +9,7 @@ crowd_add_tests(ROOM render LINK crowd_render nlohmann_json::nlohmann_json TESTS
     tst_Lens
     tst_Lights
     tst_PaintedLooks
+    tst_Relief
     tst_Renderer
     tst_SceneLook
     tst_Shadows
