@@ -63,6 +63,7 @@ private Q_SLOTS:
     void theListSwitchesAndRenames();
     void aDragOfALightIsOneStep();
     void takesWhoeverIsSelected();
+    void followsWhoIsClicked();
     void groupsCanBeChosenWhenTheyCome();
     void saysWhenTheyAreTooMany();
 };
@@ -250,6 +251,43 @@ void TestLightDock::takesWhoeverIsSelected()
     QTest::mouseClick(take, Qt::LeftButton);
     QCOMPARE(desk.lights().front().person, made);
     QTRY_VERIFY(take->text() != nobody);
+}
+
+void TestLightDock::followsWhoIsClicked()
+{
+    LightDesk desk;
+    model::IndividualId made = 0;
+    desk.document.edit(QStringLiteral("Add"), [&](model::SceneEdit& edit) {
+        auto rows = model::IndividualRows::withDefaults({0});
+        rows.column(model::columns::templateId)[0] = desk.document.scene().templates.front().id;
+        rows.column(model::columns::position)[0] = {4.0F, 0.0F, -3.0F};
+        made = edit.addIndividuals(std::move(rows)).front();
+    });
+    const int before = desk.steps();
+    auto* add = desk.dock->findChild<QToolButton*>(QStringLiteral("add-follow"));
+    QTest::mouseClick(add, Qt::LeftButton);
+    QVERIFY(desk.state.picking() == Picking::Person && add->isChecked());
+    // Another button that asks is the only one that is pressed.
+    auto* spot = desk.dock->findChild<QToolButton*>(QStringLiteral("add-spot"));
+    QTest::mouseClick(spot, Qt::LeftButton);
+    QVERIFY(desk.state.picking() == Picking::Place && !add->isChecked() && spot->isChecked());
+    QTest::mouseClick(add, Qt::LeftButton);
+    QVERIFY(!spot->isChecked());
+    desk.state.offerPerson(made);
+    QVERIFY(desk.state.picking() == Picking::None && !add->isChecked());
+    QCOMPARE(desk.lights().size(), std::size_t{1});
+    const model::Light& light = desk.lights().front();
+    QVERIFY(light.kind == model::LightKind::Spot && light.aim == model::LightAim::Person);
+    QCOMPARE(light.person, made);
+    QVERIFY(glm::distance(light.position, glm::vec3(4.0F, 0.0F, -3.0F)) < 15.0F);
+    QCOMPARE(desk.state.chosenLight(), light.id);
+    QCOMPARE(desk.steps(), before + 1);
+    // Somebody who has gone meanwhile is not followed.
+    desk.document.edit(QStringLiteral("Remove"),
+                       [&](model::SceneEdit& edit) { edit.removeIndividuals(std::vector{made}); });
+    QTest::mouseClick(add, Qt::LeftButton);
+    desk.state.offerPerson(made);
+    QCOMPARE(desk.lights().size(), std::size_t{1});
 }
 
 void TestLightDock::groupsCanBeChosenWhenTheyCome()

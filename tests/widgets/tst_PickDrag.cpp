@@ -43,6 +43,7 @@ private Q_SLOTS:
     void aClipIsTaken();
     void aPointToFaceIsTakenFromTheGround();
     void anyToolTakesAPointForAForm();
+    void anyToolTakesSomebodyForAPanel();
     void escapePutsTheBrushBack();
     void noGhostStandsWherePeopleArePicked();
     void theKeyAloneShowsWhatAPressWouldDo();
@@ -243,6 +244,32 @@ void PickDragTest::anyToolTakesAPointForAForm()
     hand.state.choosePoint([&isTaken](const glm::vec3&) { isTaken = true; });
     QVERIFY(hand.key(Qt::Key_Escape));
     hand.state.offerPoint({});
+    QVERIFY(!isTaken);
+}
+
+void PickDragTest::anyToolTakesSomebodyForAPanel()
+{
+    Hand hand;
+    const model::IndividualId somebody = testing::addPeople(hand.document, 1)[0];
+    for (const ToolId tool : {ToolId::Select, ToolId::BrushColour, ToolId::BrushCreate}) {
+        hand.state.setTool(tool);
+        model::IndividualId taken = 0;
+        hand.state.choosePerson([&taken](model::IndividualId id) { taken = id; });
+        hand.hover(hand.pixelOf(somebody));
+        QVERIFY(hand.tools.picture().crosshair.has_value());
+        QVERIFY(hand.state.hint().contains(QStringLiteral("Click somebody")));
+        const int steps = hand.document.undoStack().count();
+        click(hand, {3.0, 3.0}); // nobody is there: it goes on asking
+        QVERIFY(hand.state.picking() == Picking::Person && taken == 0);
+        click(hand, hand.pixelOf(somebody));
+        QCOMPARE(taken, somebody);
+        QVERIFY(hand.state.picking() == Picking::None);
+        QCOMPARE(hand.document.undoStack().count(), steps);
+    }
+    bool isTaken = false;
+    hand.state.choosePerson([&isTaken](model::IndividualId) { isTaken = true; });
+    QVERIFY(hand.key(Qt::Key_Escape));
+    hand.state.offerPerson(somebody);
     QVERIFY(!isTaken);
 }
 

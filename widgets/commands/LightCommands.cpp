@@ -64,12 +64,10 @@ LightId lastLightOfRules(const model::Scene& scene)
     return last;
 }
 
-} // namespace
-
-LightId addLight(EditorState& state, LightKind kind, const glm::vec3& lit)
+/// Named and chosen.
+LightId add(EditorState& state, Light light)
 {
     Lights lights = state.scene().lights;
-    Light light = newLight(kind, lit, state.camera().position);
     bringIntoView(state, light);
     light.id = freeLightId(lights, lastLightOfRules(state.scene()));
     if (light.id == 0) {
@@ -77,7 +75,7 @@ LightId addLight(EditorState& state, LightKind kind, const glm::vec3& lit)
                              .arg(model::kMostLights));
         return 0;
     }
-    light.name = freeLightName(lights, kind).toStdString();
+    light.name = freeLightName(lights, light.kind).toStdString();
     lights.push_back(light);
     const auto outcome =
         state.document().edit(LightText::tr("Add a light"), [&lights](model::SceneEdit& edit) {
@@ -88,6 +86,27 @@ LightId addLight(EditorState& state, LightKind kind, const glm::vec3& lit)
     }
     state.chooseLight(light.id);
     return light.id;
+}
+
+} // namespace
+
+LightId addLight(EditorState& state, LightKind kind, const glm::vec3& lit)
+{
+    return add(state, newLight(kind, lit, state.camera().position));
+}
+
+LightId addFollowSpot(EditorState& state, model::IndividualId person)
+{
+    const model::CrowdFramePtr shown = state.frame();
+    const std::size_t row = shown->population.rowOf(person);
+    if (row == model::Population::npos) {
+        return 0; // he was removed meanwhile
+    }
+    const glm::vec3 stands = shown->population.column(model::columns::position)[row];
+    Light light = newLight(LightKind::Spot, stands, state.camera().position);
+    light.aim = model::LightAim::Person;
+    light.person = person;
+    return add(state, std::move(light));
 }
 
 void removeLight(EditorState& state, LightId id)

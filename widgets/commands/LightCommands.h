@@ -14,6 +14,8 @@ namespace crowd::widgets {
 /// One that lights that point, from where it is seen; it is chosen then. Its id, 0: there are
 /// as many as there can be.
 model::LightId addLight(EditorState& state, model::LightKind kind, const glm::vec3& lit);
+/// A spotlight that goes with somebody, where he is shown now.
+model::LightId addFollowSpot(EditorState& state, model::IndividualId person);
 void removeLight(EditorState& state, model::LightId id);
 void changeLight(EditorState& state, model::LightId id, const QString& undoText,
                  const std::function<void(model::Light&)>& apply);

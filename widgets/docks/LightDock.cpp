@@ -93,6 +93,15 @@ QWidget* LightDock::makeButtons()
             addLight(m_state, static_cast<model::LightKind>(kind), metres);
         });
     }
+    QToolButton* follow =
+        add("light-follow", tr("Add: a spotlight that goes with somebody. Then click him"),
+            "add-follow", [this](bool isPressed) {
+                if (isPressed) {
+                    m_state.showStatus(tr("Click whom it is to follow."));
+                }
+            });
+    makePersonButton(*follow, m_state,
+                     [this](model::IndividualId id) { addFollowSpot(m_state, id); });
     m_ready = makeReady();
     layout->addWidget(m_ready);
     layout->addStretch(1);

@@ -9,29 +9,55 @@
 
 namespace crowd::widgets {
 
-void makePointButton(QAbstractButton& button, EditorState& state, EditorState::PointTaken taken)
+namespace {
+
+/// `ask` is called when it is pressed.
+template<typename Ask>
+void makeAskingButton(QAbstractButton& button, EditorState& state, Picking kind, const Ask& ask)
 {
     button.setCheckable(true);
-    const auto takenHere = [pressed = QPointer(&button),
-                            taken = std::move(taken)](const glm::vec3& metres) {
-        if (pressed) {
-            taken(metres);
-        }
-    };
     QObject::connect(&button, &QAbstractButton::clicked, &button,
-                     [&button, &state, takenHere](bool isPressed) {
+                     [&button, &state, ask](bool isPressed) {
                          if (!isPressed) {
                              state.setPicking(Picking::None);
                              return;
                          }
-                         state.choosePoint(takenHere);
+                         ask();
                          button.setChecked(true);
                      });
-    QObject::connect(&state, &EditorState::pickingChanged, &button, [&button](Picking picking) {
-        if (picking != Picking::Place) {
-            button.setChecked(false);
+    QObject::connect(&state, &EditorState::pickingChanged, &button,
+                     [&button, kind](Picking picking) {
+                         if (picking != kind) {
+                             button.setChecked(false);
+                         }
+                     });
+}
+
+/// Calls it while the button is there.
+template<typename Taken>
+auto whileThere(QAbstractButton& button, Taken taken)
+{
+    return [pressed = QPointer(&button), taken = std::move(taken)](const auto& what) {
+        if (pressed) {
+            taken(what);
         }
-    });
+    };
+}
+
+} // namespace
+
+void makePointButton(QAbstractButton& button, EditorState& state, EditorState::PointTaken taken)
+{
+    makeAskingButton(
+        button, state, Picking::Place,
+        [&state, taken = whileThere(button, std::move(taken))] { state.choosePoint(taken); });
+}
+
+void makePersonButton(QAbstractButton& button, EditorState& state, EditorState::PersonTaken taken)
+{
+    makeAskingButton(
+        button, state, Picking::Person,
+        [&state, taken = whileThere(button, std::move(taken))] { state.choosePerson(taken); });
 }
 
 PointMark::PointMark(QWidget& shownWith, EditorState& state, Point point)

@@ -17,6 +17,8 @@ namespace crowd::widgets {
 /// until the point is there, and pressed again lets it be. `taken` is not called when the button
 /// is gone by then. Main thread, as all of this.
 void makePointButton(QAbstractButton& button, EditorState& state, EditorState::PointTaken taken);
+/// The same for somebody, as EditorState::choosePerson().
+void makePersonButton(QAbstractButton& button, EditorState& state, EditorState::PersonTaken taken);
 
 /// Marks a point in the picture while a widget is seen. A child of that widget.
 class PointMark : public QObject

@@ -153,6 +153,9 @@ void EditorState::setPicking(Picking picking)
     if (picking != Picking::Place) {
         m_pointTaken = {};
     }
+    if (picking != Picking::Person) {
+        m_personTaken = {};
+    }
     Q_EMIT pickingChanged(m_picking);
 }
 
@@ -169,6 +172,22 @@ void EditorState::offerPoint(const glm::vec3& metres)
     setPicking(Picking::None);
     if (taken) {
         taken(metres);
+    }
+}
+
+void EditorState::choosePerson(PersonTaken taken)
+{
+    setPicking(Picking::None);
+    m_personTaken = std::move(taken);
+    setPicking(Picking::Person);
+}
+
+void EditorState::offerPerson(model::IndividualId id)
+{
+    const PersonTaken taken = std::exchange(m_personTaken, {});
+    setPicking(Picking::None);
+    if (taken) {
+        taken(id);
     }
 }
 

@@ -75,7 +75,8 @@ enum class Picking : std::uint8_t {
     None,
     Colour, ///< of the person under it, for the colours of the active brush
     Point,  ///< that people are to face, for the heading of the active brush
-    Place   ///< any point on the ground or a stage, see choosePoint()
+    Place,  ///< any point on the ground or a stage, see choosePoint()
+    Person  ///< see choosePerson()
 };
 
 /// How states are given back, by whatever key or button.
@@ -156,6 +157,10 @@ public:
     void choosePoint(PointTaken taken);
     /// That was the click: ends the picking.
     void offerPoint(const glm::vec3& metres);
+    /// The same with somebody, and with who was under the click.
+    using PersonTaken = std::function<void(model::IndividualId id)>;
+    void choosePerson(PersonTaken taken);
+    void offerPerson(model::IndividualId id);
     /// A colour was picked in the picture.
     void offerColor(const model::PaintColor& color) { Q_EMIT colorPicked(color); }
     /// A stroke of this brush became an undo step.
@@ -265,7 +270,8 @@ private:
     ToolId m_tool = ToolId::BrushCreate;
     ToolId m_previousTool = ToolId::Select;
     Picking m_picking = Picking::None;
-    PointTaken m_pointTaken; ///< of Picking::Place
+    PointTaken m_pointTaken;   ///< of Picking::Place
+    PersonTaken m_personTaken; ///< of Picking::Person
     RecallSettings m_recall;
     QString m_recalledInRun;  ///< empty: none
     int m_recalledAtStep = 0; ///< of the undo stack

@@ -89,6 +89,7 @@ std::optional<PickKind> BrushTool::pickFor(Qt::KeyboardModifiers modifiers) cons
     case Picking::Point:
         return PickKind::Point;
     case Picking::Place: // whatever the tool is
+    case Picking::Person:
     case Picking::None:
         break;
     }

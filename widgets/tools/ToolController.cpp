@@ -19,6 +19,12 @@ namespace {
 constexpr double kTapSeconds = 0.35;         ///< a key held longer was held
 constexpr double kRepetitionSeconds = 0.004; ///< shorter than any hand between release and press
 
+/// Whether somebody other than the tool waits for a click.
+bool isAskingForClick(const EditorState& state)
+{
+    return state.picking() == Picking::Place || state.picking() == Picking::Person;
+}
+
 } // namespace
 
 ToolController::ToolController(EditorState& state) : m_state(state), m_queries(state)
@@ -98,13 +104,8 @@ bool ToolController::isNavigation(const ToolInput& input) const
 DragSessionPtr ToolController::sessionFor(const ToolInput& input)
 {
     const ToolContext context{m_state, m_queries};
-    const bool isPlacing = m_state.picking() == Picking::Place && input.button == Qt::LeftButton;
-    if (!isNavigation(input) && isPlacing) {
-        takePoint(input);
-        return nullptr;
-    }
     if (!isNavigation(input)) {
-        return activeTool().press(input);
+        return takeWhatIsAskedFor(input) ? nullptr : activeTool().press(input);
     }
     m_isSpaceUsed = true;
     Navigation kind = navigationFor(input.modifiers);
@@ -117,7 +118,31 @@ DragSessionPtr ToolController::sessionFor(const ToolInput& input)
     return std::make_unique<NavigateDrag>(context, kind, input);
 }
 
-/// The point that somebody waits for.
+/// Whether somebody waits for this click, whatever the tool is.
+bool ToolController::takeWhatIsAskedFor(const ToolInput& input)
+{
+    if (!isAskingForClick(m_state) || input.button != Qt::LeftButton) {
+        return false;
+    }
+    if (m_state.picking() == Picking::Place) {
+        takePoint(input);
+    } else {
+        takePerson(input);
+    }
+    return true;
+}
+
+void ToolController::takePerson(const ToolInput& input)
+{
+    const auto& pixel = input.pointer;
+    const auto hit = m_queries.picker(pixel.shownSeconds).individualAt(pixel.pixels());
+    if (hit) {
+        m_state.offerPerson(hit->id);
+    } else {
+        m_state.showStatus(tr("There is nobody under the cursor"));
+    }
+}
+
 void ToolController::takePoint(const ToolInput& input)
 {
     const auto& pixel = input.pointer;
@@ -398,7 +423,7 @@ void ToolController::refreshPicture()
         m_session->show(picture);
     } else if (m_pointer && m_isSpaceHeld) {
         picture.cursor = Qt::OpenHandCursor;
-    } else if (m_pointer && m_state.picking() == Picking::Place) {
+    } else if (m_pointer && isAskingForClick(m_state)) {
         picture.cursor = Qt::CrossCursor;
         picture.crosshair = m_pointer->position();
     } else if (m_pointer) {
@@ -420,8 +445,16 @@ void ToolController::renewTexts()
 
 void ToolController::refreshHint()
 {
-    m_state.setHint(m_state.picking() == Picking::Place ? tr("Click a point in the picture")
-                                                        : activeTool().hint());
+    switch (m_state.picking()) {
+    case Picking::Place:
+        m_state.setHint(tr("Click a point in the picture"));
+        break;
+    case Picking::Person:
+        m_state.setHint(tr("Click somebody in the picture"));
+        break;
+    default:
+        m_state.setHint(activeTool().hint());
+    }
 }
 
 } // namespace crowd::widgets

@@ -66,7 +66,9 @@ Q_SIGNALS:
 private:
     [[nodiscard]] Tool& activeTool() const;
     [[nodiscard]] DragSessionPtr sessionFor(const ToolInput& input);
+    bool takeWhatIsAskedFor(const ToolInput& input);
     void takePoint(const ToolInput& input);
+    void takePerson(const ToolInput& input);
     [[nodiscard]] bool isNavigation(const ToolInput& input) const;
     void showModifiers(const KeyInput& input);
     bool spaceDown(const KeyInput& input);
