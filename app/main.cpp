@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/BenchIo.h"
+#include "app/commands/BenchMotion.h"
 #include "app/commands/BenchPaint.h"
 #include "app/commands/BenchPython.h"
 #include "app/commands/BenchRender.h"
@@ -39,6 +40,7 @@ struct CommandLine
     BenchPaintOptions benchPaint;
     BenchPythonOptions benchPython;
     BenchRenderOptions benchRender;
+    BenchMotionOptions benchMotion;
     BenchSimulateOptions benchSimulate;
     CardOptions card;
     ScriptOptions script;
@@ -75,6 +77,20 @@ void addBenchPaint(CLI::App& bench, CommandLine& line)
         ->check(CLI::Range(1, 1000000));
     command->add_flag("--json", line.benchPaint.json, "Print one JSON object");
     command->callback([&line] { line.status = runBenchPaint(line.benchPaint); });
+}
+
+void addBenchMotion(CLI::App& bench, CommandLine& line)
+{
+    CLI::App* command =
+        bench.add_subcommand("motion", "What it takes to keep a run and show it again");
+    command->add_option("--count", line.benchMotion.count, "Characters")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    command->add_option("--frames", line.benchMotion.frames, "Steps of 1/30 s")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    command->add_flag("--json", line.benchMotion.json, "Print one JSON object");
+    command->callback([&line] { line.status = runBenchMotion(line.benchMotion); });
 }
 
 void addBenchPython(CLI::App& bench, CommandLine& line)
@@ -170,6 +186,7 @@ void addCommands(CLI::App& cli, CommandLine& line)
     CLI::App* bench = cli.add_subcommand("bench", "Measure");
     bench->require_subcommand(1);
     addBenchIo(*bench, line);
+    addBenchMotion(*bench, line);
     addBenchPaint(*bench, line);
     addBenchPython(*bench, line);
     addBenchRenderCommand(*bench, line.benchRender, line.status);

@@ -939,6 +939,22 @@
         <source>“%1” was recalled in this run alone: Stop gives the scene back. Undo once more takes back: %2</source>
         <translation>„%1“ wurde nur in diesem Lauf abgerufen: Anhalten gibt die Szene zurück. Nochmals rückgängig nimmt zurück: %2</translation>
     </message>
+    <message>
+        <source>Step &amp;Back</source>
+        <translation>Schritt &amp;zurück</translation>
+    </message>
+    <message>
+        <source>Everybody as they were one step before, then pause</source>
+        <translation>Alle, wie sie einen Schritt vorher waren, dann Pause</translation>
+    </message>
+    <message>
+        <source>&amp;Latest Moment</source>
+        <translation>&amp;Neuester Augenblick</translation>
+    </message>
+    <message>
+        <source>From an earlier moment back to where the run has come</source>
+        <translation>Von einem früheren Augenblick dorthin, wie weit der Lauf gekommen ist</translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -5388,6 +5404,10 @@
         <source>Colours by &quot;%1&quot; are of the look &quot;property&quot;, not of &quot;%2&quot;: leave one of the two out.</source>
         <translation>Farben nach „%1“ gehören zum Look „property“, nicht zu „%2“: Lassen Sie eines der beiden weg.</translation>
     </message>
+    <message>
+        <source>Material &quot;%1&quot;: its normal map lies by another set of coordinates than its base colour, and is left out.</source>
+        <translation>Material „%1“: Die Normalmap liegt nach anderen Koordinaten als die Grundfarbe und wird ausgelassen.</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -8382,10 +8402,6 @@ Verworfen ist sie fort.</translation>
         <translation>versetzt ihn oder ändert seine Größe (Auswahl)</translation>
     </message>
     <message>
-        <source>one step; back to the start, everybody where the scene has them</source>
-        <translation>ein Schritt; zurück zum Anfang, alle dort, wo die Szene sie hat</translation>
-    </message>
-    <message>
         <source>keeps everybody where they are now</source>
         <translation>behält alle, wo sie jetzt sind</translation>
     </message>
@@ -8428,6 +8444,14 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Quick Reference Card</source>
         <translation>Kurzübersicht</translation>
+    </message>
+    <message>
+        <source>one step on, one back; to the latest moment of the run</source>
+        <translation>ein Schritt vor, einer zurück; zum neuesten Augenblick des Laufs</translation>
+    </message>
+    <message>
+        <source>back to the start, everybody where the scene has them</source>
+        <translation>zurück zum Anfang, alle dort, wo die Szene sie hat</translation>
     </message>
 </context>
 <context>
@@ -8924,6 +8948,13 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>%1 is at work</source>
         <translation>%1 arbeitet</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::TimeSlider</name>
+    <message>
+        <source>The run so far: drag to see any moment of it again. What is done to people then happens at its latest moment.</source>
+        <translation>Der Lauf bisher: Ziehen zeigt jeden Augenblick noch einmal. Was dann mit Figuren geschieht, geschieht in seinem neuesten Augenblick.</translation>
     </message>
 </context>
 <context>
@@ -10141,6 +10172,14 @@ Verworfen ist sie fort.</translation>
         <source>Click what it is to shine on.</source>
         <translation>Anklicken, was es beleuchten soll.</translation>
     </message>
+    <message>
+        <source>Add: a spotlight that goes with somebody. Then click him</source>
+        <translation>Hinzufügen: ein Scheinwerfer, der mit jemandem mitgeht. Dann ihn anklicken</translation>
+    </message>
+    <message>
+        <source>Click whom it is to follow.</source>
+        <translation>Anklicken, wem er folgen soll.</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::LooksDock</name>
@@ -11260,6 +11299,14 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Click a point in the picture</source>
         <translation>Einen Punkt im Bild anklicken</translation>
+    </message>
+    <message>
+        <source>There is nobody under the cursor</source>
+        <translation>Unter dem Mauszeiger ist niemand</translation>
+    </message>
+    <message>
+        <source>Click somebody in the picture</source>
+        <translation>Jemanden im Bild anklicken</translation>
     </message>
 </context>
 <context>

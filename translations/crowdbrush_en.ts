@@ -939,6 +939,22 @@
         <source>“%1” was recalled in this run alone: Stop gives the scene back. Undo once more takes back: %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Step &amp;Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everybody as they were one step before, then pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Latest Moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From an earlier moment back to where the run has come</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -5388,6 +5404,10 @@
         <source>Colours by &quot;%1&quot; are of the look &quot;property&quot;, not of &quot;%2&quot;: leave one of the two out.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Material &quot;%1&quot;: its normal map lies by another set of coordinates than its base colour, and is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -8377,10 +8397,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>one step; back to the start, everybody where the scene has them</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>keeps everybody where they are now</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8422,6 +8438,14 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Quick Reference Card</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one step on, one back; to the latest moment of the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>back to the start, everybody where the scene has them</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8916,6 +8940,13 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>%1 is at work</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::TimeSlider</name>
+    <message>
+        <source>The run so far: drag to see any moment of it again. What is done to people then happens at its latest moment.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10134,6 +10165,14 @@ Thrown away, it is gone.</source>
         <source>Click what it is to shine on.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Add: a spotlight that goes with somebody. Then click him</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click whom it is to follow.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::LooksDock</name>
@@ -11252,6 +11291,14 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Click a point in the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nobody under the cursor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click somebody in the picture</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

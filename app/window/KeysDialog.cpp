@@ -133,8 +133,10 @@ void KeysDialog::addPainting(CardList& list, widgets::ButtonMapping buttons)
     list.row(tr("Click with the path brush"), tr("adds a place; on the first place: closes it"));
     list.row(list.keysOf("path-end"), tr("ends the path; the next click begins another one"));
     list.row(tr("Drag a place, or its circle"), tr("moves it, or changes its size (selection)"));
-    list.row(tr("%1, %2").arg(list.keysOf("step"), list.keysOf("stop")),
-             tr("one step; back to the start, everybody where the scene has them"));
+    list.row(tr("%1, %2, %3")
+                 .arg(list.keysOf("step"), list.keysOf("step-back"), list.keysOf("catch-up")),
+             tr("one step on, one back; to the latest moment of the run"));
+    list.row(list.keysOf("stop"), tr("back to the start, everybody where the scene has them"));
     list.row(list.keysOf("keep-pose"), tr("keeps everybody where they are now"));
 }
 

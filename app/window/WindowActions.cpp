@@ -294,6 +294,14 @@ const WindowAction kPlayActions[] = {
     {{"step", QT_TRANSLATE_NOOP("Actions", "&Step"), "step", "Ctrl+Right",
       QT_TRANSLATE_NOOP("Actions", "One step, then pause")},
      [](MainWindow& w, bool) { w.state().session().stepOnce(); }},
+    {{"step-back", QT_TRANSLATE_NOOP("Actions", "Step &Back"), "step-back", "Ctrl+Left",
+      QT_TRANSLATE_NOOP("Actions", "Everybody as they were one step before, then pause")},
+     [](MainWindow& w, bool) { w.state().session().stepBack(); }},
+    {{"catch-up", QT_TRANSLATE_NOOP("Actions", "&Latest Moment"), "catch-up", "Ctrl+End",
+      QT_TRANSLATE_NOOP("Actions", "From an earlier moment back to where the run has come")},
+     [](MainWindow& w, bool) { w.state().session().catchUp(); },
+     {.inputs = ActionInput::Session,
+      .isEnabled = [](MainWindow& w) { return w.state().session().isRunning(); }}},
     {{"stop", QT_TRANSLATE_NOOP("Actions", "S&top"), "stop", "Ctrl+Home",
       QT_TRANSLATE_NOOP("Actions", "Back to the start, everybody where the scene has them")},
      [](MainWindow& w, bool) { w.state().session().stop(); }},
@@ -400,8 +408,9 @@ constexpr const char* kViewMenu[] = {
     "projection",      "",          "camera-add", "@cameras",   "@keep-cameras", "",
     "paths",           "walkable",  "tags",       "relations",  "ground-grid",   "shadows",
     "look-lit",        "@looks",    "",           "full-screen"};
-constexpr const char* kPlayMenu[] = {"play",         "step", "stop",      "", "faster", "slower",
-                                     "@step-length", "",     "keep-pose", "", "rules"};
+constexpr const char* kPlayMenu[] = {"play",      "step",   "step-back", "catch-up",     "stop",
+                                     "",          "faster", "slower",    "@step-length", "",
+                                     "keep-pose", "",       "rules"};
 constexpr const char* kScriptMenu[] = {"console", "",           "script-record",
                                        "",        "script-run", "script-cancel"};
 constexpr const char* kWindowMenu[] = {"@docks", "", "hide-panels", "reset-layout"};

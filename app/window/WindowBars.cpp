@@ -17,6 +17,7 @@
 #include "app/window/DockTable.h"
 #include "app/window/MainWindow.h"
 #include "app/window/Mnemonics.h"
+#include "app/window/TimeSlider.h"
 #include "app/window/WindowActions.h"
 #include "widgets/actions/ActionRegistry.h"
 #include "widgets/state/EditorState.h"
@@ -133,6 +134,7 @@ void fillToolBar(QToolBar& bar, const widgets::ActionRegistry& actions, widgets:
         }
     }
     addClock(bar, state.transport());
+    bar.addWidget(new TimeSlider(state, &bar));
     addSpeedField(bar, state, picture);
 }
 

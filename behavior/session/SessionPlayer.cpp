@@ -9,12 +9,15 @@
 #include <thread>
 #include <utility>
 
+#include "behavior/session/MotionCache.h"
+#include "behavior/session/MotionReader.h"
+
 namespace crowd::behavior {
 
 namespace {
 
-constexpr double kKeptSeconds = 1.2; ///< before the last step, at least
-constexpr double kSlack = 1e-9;      ///< seconds; sums of steps are not exact
+constexpr double kReadySeconds = 1.2; ///< before the last step: they need not be unpacked
+constexpr double kSlack = 1e-9;       ///< seconds; sums of steps are not exact
 constexpr std::size_t kMaxLog = 20000;
 
 } // namespace
@@ -32,17 +35,20 @@ struct SessionPlayer::Run
     // Under the mutex.
     std::vector<Order> orders;
     double wanted = 0.0;
-    double shown = 0.0;               ///< poses from then on are kept
     std::deque<SessionPosePtr> poses; ///< the latest ones, ascending
     Report report;
     SessionTally tally;
     std::vector<RuleFired> log;
 
+    /// All steps but the last one, which an edit may still change.
+    std::shared_ptr<MotionCache> cache = std::make_shared<MotionCache>();
+    std::unique_ptr<MotionReader> reader = std::make_unique<MotionReader>(cache); ///< the picture's
     std::jthread thread; ///< last: ends first
 
     void serve(const std::stop_token& token);
-    void publish();
+    [[nodiscard]] SessionPosePtr publish();
     void release();
+    [[nodiscard]] std::pair<SessionPosePtr, SessionPosePtr> readyAround(double seconds) const;
 };
 
 void SessionPlayer::Run::serve(const std::stop_token& token)
@@ -70,8 +76,11 @@ void SessionPlayer::Run::serve(const std::stop_token& token)
             session->step();
         }
         if (!token.stop_requested()) {
-            publish();
+            const SessionPosePtr before = publish();
             published();
+            if (before) {
+                cache->add(before); // nobody waits for that
+            }
         }
     }
 }
@@ -80,29 +89,34 @@ void SessionPlayer::Run::serve(const std::stop_token& token)
 void SessionPlayer::Run::release()
 {
     session.reset();
+    cache.reset();
+    reader.reset();
     const std::scoped_lock lock(mutex);
     orders.clear();
     poses.clear();
 }
 
-void SessionPlayer::Run::publish()
+/// The step before, where this is another one: nothing changes it any more.
+SessionPosePtr SessionPlayer::Run::publish()
 {
     SessionPosePtr pose = session->pose();
     std::vector<Problem> problems = session->problems();
     const std::vector<RuleFired> fired = session->rules().takeLog();
     const std::scoped_lock lock(mutex);
-    if (!poses.empty() && poses.back()->step == pose->step) {
+    SessionPosePtr before = poses.back();
+    if (before->step == pose->step) {
         poses.pop_back(); // the same step, after an edit
+        before = nullptr;
     }
     poses.push_back(std::move(pose));
-    const double keptFrom = std::min(shown, poses.back()->seconds - kKeptSeconds);
-    while (poses.size() > 1 && poses[1]->seconds <= keptFrom) {
+    while (poses.size() > 1 && poses[1]->seconds <= poses.back()->seconds - kReadySeconds) {
         poses.pop_front();
     }
     report = {std::move(problems), session->rules().counts()};
     if (log.size() < kMaxLog) {
         log.insert(log.end(), fired.begin(), fired.end());
     }
+    return before;
 }
 
 SessionPlayer::SessionPlayer(std::function<void()> published) : m_published(std::move(published)) {}
@@ -126,7 +140,6 @@ void SessionPlayer::start(const model::Scene& scene, double seconds,
     }
     run.poses = {run.session->pose()};
     run.wanted = seconds;
-    run.shown = seconds;
     run.report = {run.session->problems(), {}};
     run.tally = run.session->tally();
     run.thread = std::jthread([&run](const std::stop_token& token) {
@@ -197,14 +210,13 @@ void SessionPlayer::sendTagged(const std::string& event, float payload, std::uin
     give([event, payload, tag](Run& run) { run.session->sendTagged(event, payload, tag); });
 }
 
-void SessionPlayer::request(double seconds, double shown)
+void SessionPlayer::request(double seconds)
 {
     if (!m_run) {
         return;
     }
     {
         const std::scoped_lock lock(m_run->mutex);
-        m_run->shown = shown;
         if (seconds <= m_run->wanted) {
             return;
         }
@@ -222,13 +234,40 @@ double SessionPlayer::available() const
     return m_run->poses.back()->seconds;
 }
 
+double SessionPlayer::first() const
+{
+    if (!m_run) {
+        return 0.0;
+    }
+    const MotionCache::Extent kept = m_run->reader->cache().extent();
+    const std::scoped_lock lock(m_run->mutex);
+    const double ready = m_run->poses.front()->seconds;
+    return kept.steps > 0 ? std::min(kept.first, ready) : ready;
+}
+
 std::pair<SessionPosePtr, SessionPosePtr> SessionPlayer::posesAround(double seconds) const
 {
     if (!m_run) {
         return {};
     }
+    {
+        const std::scoped_lock lock(m_run->mutex);
+        if (seconds >= m_run->poses.front()->seconds) {
+            return m_run->readyAround(seconds);
+        }
+    }
+    auto kept = m_run->reader->around(seconds);
+    if (kept.first) {
+        return kept;
+    }
+    // Nothing is kept yet, or it is damaged.
     const std::scoped_lock lock(m_run->mutex);
-    const std::deque<SessionPosePtr>& poses = m_run->poses; // never empty
+    return m_run->readyAround(seconds);
+}
+
+/// Of those that need not be unpacked; under the mutex.
+std::pair<SessionPosePtr, SessionPosePtr> SessionPlayer::Run::readyAround(double seconds) const
+{
     const auto next = std::ranges::find_if(
         poses, [&](const SessionPosePtr& pose) { return pose->seconds > seconds; });
     const SessionPosePtr after = next == poses.end() ? poses.back() : *next;

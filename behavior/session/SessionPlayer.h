@@ -46,11 +46,13 @@ public:
     void send(const std::string& event, float payload, std::vector<model::IndividualId> ids);
     void sendTagged(const std::string& event, float payload, std::uint8_t tag);
 
-    /// Steps are wanted up to a bit after this time, seconds. Poses from `shown` on are kept, at
-    /// least those of the last second.
-    void request(double seconds, double shown = 1e300);
+    /// Steps are wanted up to this time, seconds.
+    void request(double seconds);
     /// Time of the last step that is done.
     [[nodiscard]] double available() const;
+    /// Time of the earliest step that is known still. All are kept as long as they fit a budget of
+    /// memory and disk; then the earliest go first.
+    [[nodiscard]] double first() const;
     /// Puts people where they are at frame.seconds, as far as that has been computed.
     void pose(model::CrowdFrame& frame) const;
     /// Of the step that is shown at a time; null before the first one.

@@ -29,6 +29,7 @@ public:
         m_session.step();
         m_pose = m_session.pose(); // as for a player
     }
+    [[nodiscard]] SessionPosePtr pose() const override { return m_pose; }
     [[nodiscard]] CrowdSimulation& crowd() override { return m_session.crowd(); }
     [[nodiscard]] std::size_t outsideWalls() const override { return 0; }
 

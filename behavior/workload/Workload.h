@@ -11,6 +11,7 @@
 #include <glm/vec2.hpp>
 
 #include "behavior/crowd/CrowdSimulation.h"
+#include "behavior/session/SessionPose.h"
 #include "model/base/Result.h"
 
 /// Crowds to measure the simulation by: the same for everybody who compares.
@@ -34,6 +35,8 @@ public:
         steer();
         m_crowd.step(kWorkloadStep);
     }
+    /// As a player keeps it after a step; null: no session.
+    [[nodiscard]] virtual SessionPosePtr pose() const { return nullptr; }
     /// How many are outside the walls, where there are walls.
     [[nodiscard]] virtual std::size_t outsideWalls() const = 0;
 

@@ -12,7 +12,7 @@
 #include <QtCore/QFile>
 #include <QtCore/QFileInfo>
 
-#include "model/base/Random.h"
+#include "model/base/Checksum.h"
 
 namespace crowd::model {
 
@@ -47,22 +47,6 @@ int openUnnamed(const QByteArray& folder)
         ::unlink(name.constData());
     }
     return named;
-}
-
-std::uint64_t checksumOf(std::span<const std::byte> bytes)
-{
-    std::uint64_t sum = bytes.size();
-    std::size_t at = 0;
-    for (; at + sizeof(sum) <= bytes.size(); at += sizeof(sum)) {
-        std::uint64_t word = 0;
-        std::memcpy(&word, &bytes[at], sizeof(word));
-        sum = mixBits(sum ^ word);
-    }
-    std::uint64_t rest = 0;
-    if (at < bytes.size()) {
-        std::memcpy(&rest, &bytes[at], bytes.size() - at);
-    }
-    return mixBits(sum ^ rest);
 }
 
 } // namespace

@@ -12,5 +12,6 @@ crowd_add_tests(ROOM app LINK crowd_app TESTS
     tst_SavePicture
     tst_SceneFiles
     tst_StepMenu
+    tst_TimeSlider
     tst_Welcome
 )

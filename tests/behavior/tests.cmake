@@ -5,6 +5,7 @@ crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_Gaits
     tst_Ground
     tst_LongBodies
+    tst_MotionCache
     tst_PlaceRooms
     tst_Problems
     tst_PropertyOverrides

@@ -125,6 +125,10 @@ void CommandLineTest::jsonIsAloneOnStandardOutput_data()
     QTest::newRow("simulating on one thread and on two")
         << QStringLiteral("bench simulate --count 100 --steps 20 --threads 2 --against-one-thread")
         << QStringLiteral("median_step_ms one_thread_median_step_ms times_one_thread");
+    QTest::newRow("keeping a run")
+        << QStringLiteral("bench motion --count 50 --frames 70")
+        << QStringLiteral("count frames frames_kept bytes_per_person_step disk_bytes step_ms "
+                          "write_percent seek_ms_p50 seek_ms_p99");
     QTest::newRow("scripts") << QStringLiteral("bench python --count 100 --rounds 1")
                              << QStringLiteral("count rounds columns_ratio stroke_ratio");
     QTest::newRow("files") << QStringLiteral("bench io --count 100")

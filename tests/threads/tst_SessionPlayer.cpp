@@ -23,6 +23,7 @@ class SessionPlayerTest : public QObject
 
 private Q_SLOTS:
     void editsWhileItRuns();
+    void earlierTimesAreAsTheyWere();
     void stopsInTheMiddle();
     void stoppingWaitsForNobody();
     void peopleAreCountedWhenAsked();
@@ -98,6 +99,38 @@ void SessionPlayerTest::editsWhileItRuns()
     QVERIFY(lookAt(player, scene, player.available()));
     QVERIFY(published > 0);
     QCOMPARE(player.report().fired.at(1), std::uint64_t{40});
+}
+
+/// Also those that are packed, and while it goes on.
+void SessionPlayerTest::earlierTimesAreAsTheyWere()
+{
+    const model::Scene scene = squareScene();
+    SessionPlayer player([] {});
+    player.start(scene, 1.0);
+    std::vector<std::vector<glm::vec3>> seen;
+    const auto look = [&](double seconds) {
+        model::CrowdFrame frame{scene.population, nullptr, seconds};
+        player.pose(frame);
+        const auto places = frame.population.column(model::columns::position);
+        return std::vector<glm::vec3>(places.begin(), places.end());
+    };
+    constexpr int kFrames = 70; // at other times than the steps
+    const auto timeOf = [](int frame) { return 1.0 + frame * 0.0471; };
+    for (int i = 0; i < kFrames; ++i) {
+        player.request(timeOf(i) + 0.1);
+        QTRY_VERIFY_WITH_TIMEOUT(player.available() >= timeOf(i) + 0.05, 60000);
+        seen.push_back(look(timeOf(i)));
+    }
+    QCOMPARE(player.first(), 1.0);
+    player.request(timeOf(kFrames) + 3.0);
+    for (int i = 0; i < kFrames; ++i) {
+        const int frame = i * 37 % kFrames;
+        QVERIFY2(look(timeOf(frame)) == seen[static_cast<std::size_t>(frame)],
+                 qPrintable(QString::number(frame)));
+    }
+    QVERIFY(look(0.0) == seen.front()); // before the beginning it is as then
+    player.stop();
+    QCOMPARE(player.first(), 0.0);
 }
 
 void SessionPlayerTest::stopsInTheMiddle()

@@ -2,8 +2,11 @@
 #include "widgets/state/SessionControl.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <memory>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <QtCore/QMetaObject>
@@ -38,6 +41,19 @@ bool hasWalks(const model::Scene& scene)
             return action.kind().text.isWalk && (leave == nullptr || leave->place != 0);
         });
     });
+}
+
+/// Whether it says where somebody is, or how he moves: a session that runs makes that its own.
+bool isOfMotion(const model::SceneChange& change)
+{
+    using model::ColumnId;
+    const auto* changed = std::get_if<model::ColumnsChanged>(&change);
+    return isOneOf<model::IndividualsAdded>(change) ||
+           (changed != nullptr &&
+            std::ranges::any_of(std::array{ColumnId::Position, ColumnId::Heading, ColumnId::Clip,
+                                           ColumnId::Phase, ColumnId::PlaybackSpeed,
+                                           ColumnId::Seat},
+                                [&](ColumnId id) { return changed->columns.contains(id); }));
 }
 
 /// Whether it is more than open ground.
@@ -119,6 +135,9 @@ void SessionControl::followScene(const model::SceneChange& change)
                                         model::LooksChanged, model::SceneReplaced>(change);
     if (isRunning() && !isOfNoInterest && !m_isKeepingPose) {
         m_hand.start();
+        if (isOfMotion(change)) {
+            catchUp(); // what is past stays as it was: it would not be seen
+        }
     }
     visitChange(change, [this](const model::PathsChanged&) {
         m_ways.start();
@@ -175,6 +194,7 @@ bool SessionControl::recall(const model::ChangeOver& change)
     if (!startForRecall()) {
         return false;
     }
+    catchUp();
     handPending();
     m_player->recall(change);
     return true;
@@ -229,8 +249,8 @@ const model::Population* SessionControl::peopleBefore(double seconds) const
 /// Nobody changes over any more in a session that began for that alone.
 void SessionControl::endRecall()
 {
-    const auto pose =
-        m_isForRecall && !m_hasBehaviour ? m_player->poseAt(m_transport.seconds()) : nullptr;
+    const bool mayEnd = m_isForRecall && !m_hasBehaviour && m_transport.seconds() >= m_liveSeconds;
+    const auto pose = mayEnd ? m_player->poseAt(m_transport.seconds()) : nullptr;
     const bool isBehind =
         m_changing || (pose && pose->sceneVersion != m_document.scene().population.version());
     if (pose && pose->step > 0 && !isBehind && !pose->stateFades && !pose->recalled) {
@@ -301,6 +321,7 @@ std::size_t SessionControl::surfacePolygons() const
 void SessionControl::start()
 {
     m_startSeconds = m_transport.seconds();
+    m_liveSeconds = m_startSeconds;
     m_stepsPerSecond = m_document.scene().stepsPerSecond;
     m_player->start(m_document.scene(), m_startSeconds, m_surface->current);
     m_changing.reset();
@@ -335,14 +356,14 @@ void SessionControl::advance(double realSeconds)
         return;
     }
     m_transport.advance(realSeconds, m_player->available());
+    m_liveSeconds = std::max(m_liveSeconds, m_transport.seconds());
     endRecall();
     if (m_transport.isPlaying()) {
         // What the next picture needs is there when it is drawn, if it takes as long as the last.
         const double speed = m_transport.state().speed;
         const double ahead =
             std::max(kAheadSeconds * std::max(1.0, speed), kAheadSeconds + realSeconds * speed);
-        m_player->request(m_transport.seconds() + std::min(ahead, kFurthestAhead),
-                          m_transport.seconds());
+        m_player->request(m_transport.seconds() + std::min(ahead, kFurthestAhead));
     }
 }
 
@@ -352,13 +373,49 @@ void SessionControl::stepOnce()
     if (!isRunning() && m_document.scene().hasBehaviour() && isReady()) {
         start();
     }
-    const double rate = isRunning() ? m_stepsPerSecond : m_document.scene().stepsPerSecond;
+    const double rate = stepRate();
     const double steps = std::floor((m_transport.seconds() - m_startSeconds) * rate + 1e-6) + 1.0;
     const double next = m_startSeconds + steps / rate;
     if (isRunning()) {
-        m_player->request(next, m_transport.seconds());
+        m_player->request(next);
+        m_liveSeconds = std::max(m_liveSeconds, next);
     }
     m_transport.setSeconds(isRunning() ? next : m_transport.seconds() + 1.0 / rate);
+}
+
+void SessionControl::stepBack()
+{
+    m_transport.setPlaying(false);
+    const double rate = stepRate();
+    if (!isRunning()) {
+        m_transport.setSeconds(std::max(0.0, m_transport.seconds() - 1.0 / rate));
+        return;
+    }
+    const double steps = std::ceil((m_transport.seconds() - m_startSeconds) * rate - 1e-6) - 1.0;
+    m_transport.setSeconds(std::max(m_player->first(), m_startSeconds + steps / rate));
+}
+
+void SessionControl::catchUp()
+{
+    if (isRunning() && m_transport.seconds() < m_liveSeconds) {
+        m_transport.setSeconds(m_liveSeconds);
+    }
+}
+
+double SessionControl::firstSeconds() const
+{
+    return m_player->first();
+}
+
+double SessionControl::liveSeconds() const
+{
+    return isRunning() ? m_liveSeconds : m_transport.seconds();
+}
+
+/// Steps a second.
+double SessionControl::stepRate() const
+{
+    return isRunning() ? m_stepsPerSecond : m_document.scene().stepsPerSecond;
 }
 
 void SessionControl::stop()
@@ -372,11 +429,13 @@ void SessionControl::stop()
 void SessionControl::send(const model::EventSettings& event,
                           std::span<const model::IndividualId> ids)
 {
+    catchUp();
     m_player->send(event.name, event.payload, {ids.begin(), ids.end()});
 }
 
 void SessionControl::sendTagged(const model::EventSettings& event, std::uint8_t tag)
 {
+    catchUp();
     m_player->sendTagged(event.name, event.payload, tag);
 }
 
@@ -415,7 +474,8 @@ model::CrowdFramePtr SessionControl::frame(double seconds) const
 
 std::vector<model::IndividualId> SessionControl::lit() const
 {
-    return m_player->lit();
+    const auto pose = isRunning() ? m_player->poseAt(m_transport.seconds()) : nullptr;
+    return pose ? pose->lit : std::vector<model::IndividualId>();
 }
 
 void SessionControl::followProblems()
@@ -475,6 +535,7 @@ bool SessionControl::keepPose()
         return false;
     }
     m_player->adopt(m_document.scene(), true);
+    catchUp(); // it goes on from there
     Q_EMIT posesKept(people);
     return outcome == model::EditOutcome::Committed;
 }

@@ -46,6 +46,14 @@ public:
     void advance(double realSeconds);
     /// One step, then pause.
     void stepOnce();
+    /// As it was a step before, then pause. Nothing where that is not known any more.
+    void stepBack();
+    /// To where the session has come, from an earlier time that is shown.
+    void catchUp();
+    /// The earliest time that can be shown again; of a running session.
+    [[nodiscard]] double firstSeconds() const;
+    /// How far it has been shown; what is sent to people happens then. Of a running session.
+    [[nodiscard]] double liveSeconds() const;
     /// Back to the scene, at the start of time, paused.
     void stop();
     /// Where everybody is now becomes where the scene has them: one undo step.
@@ -117,6 +125,7 @@ private:
     void takeSurface(const model::Result<std::shared_ptr<const behavior::WalkSurface>>& built);
     void followWays();
     void forgetSurface();
+    [[nodiscard]] double stepRate() const;
     void followProblems();
 
     model::SceneDocument& m_document;
@@ -129,6 +138,7 @@ private:
     QTimer m_progress;                   ///< while the surface is built
     QTimer m_ways;                       ///< until areas that are being changed come to rest
     double m_startSeconds = 0.0;         ///< of the transport, when the session began
+    double m_liveSeconds = 0.0;          ///< the latest that has been shown
     std::uint32_t m_stepsPerSecond = 30; ///< of the session
     /// An edit that is on its way to the session; null: none.
     mutable std::unique_ptr<ChangingPeople> m_changing;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QtWidgets/QSlider>
+
+#include "widgets/state/EditorState.h"
+
+namespace crowd::app {
+
+/// The run so far, and what of it is shown: a drag shows any moment of it again, to and fro. Out of
+/// use where nothing runs. While it is held time stands; it plays on after that if it played.
+/// Main thread; the state outlives it.
+class TimeSlider : public QSlider
+{
+    Q_OBJECT
+
+public:
+    TimeSlider(widgets::EditorState& state, QWidget* parent);
+
+protected:
+    void mousePressEvent(QMouseEvent* event) override; ///< jumps to where it was pressed
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+
+private:
+    void refresh();
+    void seek(int x); ///< logical pixels
+
+    widgets::EditorState& m_state;
+    bool m_isHeld = false;
+    bool m_playedBefore = false;
+};
+
+} // namespace crowd::app

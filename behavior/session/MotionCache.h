@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "behavior/session/PoseBytes.h"
+#include "behavior/session/SessionPose.h"
+#include "model/document/SpillFile.h"
+
+namespace crowd::behavior {
+
+/// What the poses of a run may take.
+struct MotionBudget
+{
+    std::uint64_t memoryBytes = 192ULL << 20U;
+    std::uint64_t diskBytes = 2ULL << 30U;    ///< of a file that has no name
+    std::uint64_t reserveBytes = 1ULL << 30U; ///< that stay free on the disk
+    QString folder{};                         ///< of that file; empty: where the system has its own
+};
+
+/// The steps of a run, one after the other, to be had again exactly as they were (MotionReader):
+/// compact in memory, then on disk, then no more, the earliest first. One thread adds, any may
+/// read.
+class MotionCache
+{
+public:
+    explicit MotionCache(const MotionBudget& budget = {});
+
+    /// The next step; later than the one before.
+    void add(const SessionPosePtr& pose);
+
+    struct Extent
+    {
+        double first = 0.0; ///< seconds of the earliest step that is there
+        double last = 0.0;
+        std::size_t steps = 0; ///< none: the times mean nothing
+    };
+    [[nodiscard]] Extent extent() const;
+    /// Bytes of memory and of disk.
+    [[nodiscard]] std::pair<std::uint64_t, std::uint64_t> bytes() const;
+
+private:
+    friend class MotionReader;
+
+    using Bytes = std::shared_ptr<const std::vector<std::byte>>;
+    /// A step: the columns as bytes, all else as it was.
+    struct Frame
+    {
+        SessionPosePtr rest;
+        Bytes bytes;           ///< null: on disk, with its piece
+        std::size_t begin = 0; ///< in them
+        std::size_t size = 0;
+        bool isDifference = false;
+    };
+    /// Some steps in a row, which can be read without those before them.
+    struct Piece
+    {
+        std::vector<Frame> frames;
+        std::optional<model::SpillFile::Extent> onDisk;
+    };
+    /// A piece that a reader has from disk.
+    struct Loaded
+    {
+        std::uint64_t piece = 0; ///< since the run began
+        Bytes bytes;             ///< null: none
+    };
+    struct Found
+    {
+        std::uint64_t number = 0; ///< of a step, since the run began
+        bool isLast = false;
+    };
+
+    [[nodiscard]] std::optional<Found> find(double seconds) const;
+    [[nodiscard]] std::vector<Frame> framesTo(std::uint64_t number, std::uint64_t from,
+                                              Loaded& loaded) const;
+    void giveUp(std::uint64_t number);
+    void fit();
+    void spill(Piece& piece);
+    void dropFirst();
+
+    const MotionBudget m_budget;
+    // The adding thread's.
+    PoseWriter m_writer;
+    SessionPosePtr m_last;
+    mutable std::mutex m_mutex;
+    // Under the mutex.
+    std::deque<Piece> m_pieces;
+    std::uint64_t m_firstPiece = 0; ///< pieces that are gone
+    std::uint64_t m_memory = 0;
+    std::uint64_t m_disk = 0;
+    model::SpillFile m_file;
+};
+
+} // namespace crowd::behavior
