@@ -955,6 +955,14 @@
         <source>From an earlier moment back to where the run has come</source>
         <translation>Von einem früheren Augenblick dorthin, wie weit der Lauf gekommen ist</translation>
     </message>
+    <message>
+        <source>Make Mo&amp;vie…</source>
+        <translation>&amp;Film machen …</translation>
+    </message>
+    <message>
+        <source>Write what has been played, or the scene, as a movie</source>
+        <translation>Was abgespielt wurde, oder die Szene, als Film schreiben</translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -5408,6 +5416,26 @@
         <source>Material &quot;%1&quot;: its normal map lies by another set of coordinates than its base colour, and is left out.</source>
         <translation>Material „%1“: Die Normalmap liegt nach anderen Koordinaten als die Grundfarbe und wird ausgelassen.</translation>
     </message>
+    <message>
+        <source>%1: let the name end in one of %2; it says what the movie is written as.</source>
+        <translation>%1: Lassen Sie den Namen auf eines von %2 enden; das sagt, als was der Film geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>%1 is no file: give the movie another name.</source>
+        <translation>%1 ist keine Datei: Geben Sie dem Film einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1: movies are made by ffmpeg, which cannot be started (%2). Install the package ffmpeg, or write single pictures.</source>
+        <translation>%1: Filme macht ffmpeg, und das lässt sich nicht starten (%2). Installieren Sie das Paket ffmpeg, oder schreiben Sie einzelne Bilder.</translation>
+    </message>
+    <message>
+        <source>%1: the movie could not be made, ffmpeg has ended: %2. Check the space on the disk, or choose another kind of file.</source>
+        <translation>%1: Der Film konnte nicht gemacht werden, ffmpeg hat geendet: %2. Prüfen Sie den Platz auf dem Datenträger, oder wählen Sie eine andere Art von Datei.</translation>
+    </message>
+    <message>
+        <source>The movie was cancelled.</source>
+        <translation>Der Film wurde abgebrochen.</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -8521,6 +8549,103 @@ Verworfen ist sie fort.</translation>
     </message>
 </context>
 <context>
+    <name>crowd::app::MovieController</name>
+    <message>
+        <source>Another movie is still being made.</source>
+        <translation>Ein anderer Film wird noch gemacht.</translation>
+    </message>
+    <message>
+        <source>Make Movie</source>
+        <translation>Film machen</translation>
+    </message>
+    <message>
+        <source>movie</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Drawing %1</source>
+        <translation>%1 wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Making the movie…</source>
+        <translation>Der Film wird gemacht …</translation>
+    </message>
+    <message>
+        <source>Made %1</source>
+        <translation>%1 gemacht</translation>
+    </message>
+    <message>
+        <source>The movie could not be made</source>
+        <translation>Der Film konnte nicht gemacht werden</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::MovieDialog</name>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Make Movie</source>
+        <translation>Film machen</translation>
+    </message>
+    <message>
+        <source>The view as it is</source>
+        <translation>Die Ansicht, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Make…</source>
+        <translation>Machen …</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>What has been played</source>
+        <translation>Was abgespielt wurde</translation>
+    </message>
+    <message>
+        <source>The scene from its beginning</source>
+        <translation>Die Szene von Anfang an</translation>
+    </message>
+    <message>
+        <source>What has been played, with all that was sent, called and recalled meanwhile; or the scene as it plays if nobody touches it</source>
+        <translation>Was abgespielt wurde, mit allem, was dabei gesendet, gerufen und abgerufen wurde; oder die Szene, wie sie abläuft, wenn niemand eingreift</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>Wovon</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>%1 pictures a second</source>
+        <translation>%1 Bilder pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Bildrate</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n picture(s)</source>
+        <translation>
+            <numerusform>%n Bild</numerusform>
+            <numerusform>%n Bilder</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>crowd::app::PictureController</name>
     <message>
         <source>Another picture is still being drawn.</source>
@@ -8558,40 +8683,12 @@ Verworfen ist sie fort.</translation>
         <translation>Bild speichern</translation>
     </message>
     <message>
-        <source>As in the window</source>
-        <translation>Wie im Fenster</translation>
-    </message>
-    <message>
-        <source>Full HD</source>
-        <translation>Full HD</translation>
-    </message>
-    <message>
-        <source>4K</source>
-        <translation>4K</translation>
-    </message>
-    <message>
-        <source>Square</source>
-        <translation>Quadrat</translation>
-    </message>
-    <message>
-        <source>Another size</source>
-        <translation>Andere Größe</translation>
-    </message>
-    <message>
         <source>Transparent background</source>
         <translation>Durchsichtiger Hintergrund</translation>
     </message>
     <message>
         <source>Without sky and ground plane, to be laid over something else. Not as JPEG.</source>
         <translation>Ohne Himmel und Bodenfläche, um es über etwas anderes zu legen. Nicht als JPEG.</translation>
-    </message>
-    <message>
-        <source>×</source>
-        <translation>×</translation>
-    </message>
-    <message>
-        <source>pixels</source>
-        <translation>Pixel</translation>
     </message>
     <message>
         <source>Save…</source>
@@ -8640,6 +8737,37 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>F-stop</source>
         <translation>Blende</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::PictureSizeFields</name>
+    <message>
+        <source>As in the window</source>
+        <translation>Wie im Fenster</translation>
+    </message>
+    <message>
+        <source>Full HD</source>
+        <translation>Full HD</translation>
+    </message>
+    <message>
+        <source>4K</source>
+        <translation>4K</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Quadratisch</translation>
+    </message>
+    <message>
+        <source>Another size</source>
+        <translation>Andere Größe</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>Pixel</translation>
     </message>
 </context>
 <context>

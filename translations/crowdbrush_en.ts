@@ -955,6 +955,14 @@
         <source>From an earlier moment back to where the run has come</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Make Mo&amp;vie…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write what has been played, or the scene, as a movie</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -5408,6 +5416,26 @@
         <source>Material &quot;%1&quot;: its normal map lies by another set of coordinates than its base colour, and is left out.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1: let the name end in one of %2; it says what the movie is written as.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no file: give the movie another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: movies are made by ffmpeg, which cannot be started (%2). Install the package ffmpeg, or write single pictures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the movie could not be made, ffmpeg has ended: %2. Check the space on the disk, or choose another kind of file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The movie was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -8516,6 +8544,103 @@ Thrown away, it is gone.</source>
     </message>
 </context>
 <context>
+    <name>crowd::app::MovieController</name>
+    <message>
+        <source>Another movie is still being made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make Movie</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>movie</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making the movie…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Made %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The movie could not be made</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::MovieDialog</name>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make Movie</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What has been played</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scene from its beginning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What has been played, with all that was sent, called and recalled meanwhile; or the scene as it plays if nobody touches it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 pictures a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n picture(s)</source>
+        <translation>
+            <numerusform>%n picture</numerusform>
+            <numerusform>%n pictures</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>crowd::app::PictureController</name>
     <message>
         <source>Another picture is still being drawn.</source>
@@ -8553,39 +8678,11 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>As in the window</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Full HD</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>4K</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Square</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Another size</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Transparent background</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Without sky and ground plane, to be laid over something else. Not as JPEG.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>×</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>pixels</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8634,6 +8731,37 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>F-stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::PictureSizeFields</name>
+    <message>
+        <source>As in the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full HD</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>4K</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pixels</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -2,7 +2,6 @@
 #include "app/commands/BenchMotion.h"
 
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 #include <memory>
 #include <vector>
@@ -19,14 +18,8 @@ namespace crowd::app {
 
 namespace {
 
-constexpr std::uint64_t kSeed = 1;
+constexpr std::uint64_t kMotionSeed = 1;
 constexpr int kSeeks = 400;
-
-double nowMs()
-{
-    const auto now = std::chrono::steady_clock::now().time_since_epoch();
-    return std::chrono::duration<double, std::milli>(now).count();
-}
 
 /// A share of the values that are smaller; `values` has one at least.
 double quantile(std::vector<double> values, double share)
@@ -44,7 +37,7 @@ std::vector<double> seek(const std::shared_ptr<behavior::MotionCache>& cache)
     std::vector<double> times;
     times.reserve(kSeeks);
     for (std::uint64_t i = 0; i < kSeeks; ++i) {
-        const double share = static_cast<double>(model::mixBits(kSeed + i) >> 11U) * 0x1p-53;
+        const double share = static_cast<double>(model::mixBits(kMotionSeed + i) >> 11U) * 0x1p-53;
         const double begin = nowMs();
         const bool isThere =
             reader.around(kept.first + share * (kept.last - kept.first)).first != nullptr;
@@ -57,7 +50,8 @@ std::vector<double> seek(const std::shared_ptr<behavior::MotionCache>& cache)
 
 int runBenchMotion(const BenchMotionOptions& options)
 {
-    auto made = behavior::makeWorkload("paths", static_cast<std::size_t>(options.count), kSeed);
+    auto made =
+        behavior::makeWorkload("paths", static_cast<std::size_t>(options.count), kMotionSeed);
     if (!made) {
         std::cerr << made.error().message << '\n';
         return 1;

@@ -2,6 +2,7 @@
 #include "app/commands/BenchReport.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <iostream>
 
@@ -19,6 +20,12 @@ double median(std::vector<double> values)
 {
     std::ranges::sort(values);
     return values[values.size() / 2];
+}
+
+double nowMs()
+{
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double, std::milli>(now).count();
 }
 
 void printReport(const QJsonObject& report, bool isJson)

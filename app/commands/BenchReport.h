@@ -14,6 +14,9 @@ namespace crowd::app {
 /// The upper one of the middle two; `values` has one at least.
 [[nodiscard]] double median(std::vector<double> values);
 
+/// Of a steady clock.
+[[nodiscard]] double nowMs();
+
 /// To the standard output: as one line of JSON, or a line for each member.
 void printReport(const QJsonObject& report, bool isJson);
 

@@ -2,7 +2,6 @@
 #include "app/commands/BenchSimulate.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iostream>
 #include <numeric>
@@ -22,12 +21,6 @@ namespace crowd::app {
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
-
-double nowMs()
-{
-    const auto now = std::chrono::steady_clock::now().time_since_epoch();
-    return std::chrono::duration<double, std::milli>(now).count();
-}
 
 constexpr int kStepsABlock = 10;
 

@@ -40,6 +40,11 @@ InterruptGuard::~InterruptGuard()
     }
 }
 
+bool InterruptGuard::isToEnd()
+{
+    return heldSignal != 0;
+}
+
 void InterruptGuard::install()
 {
     for (const int signal : {SIGINT, SIGTERM}) {

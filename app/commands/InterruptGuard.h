@@ -13,6 +13,8 @@ public:
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
 
+    /// Whether the program is to end as soon as the guard is gone.
+    [[nodiscard]] static bool isToEnd();
     /// From now on; else Ctrl+C does what it always does.
     static void install();
 };

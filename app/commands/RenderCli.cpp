@@ -10,6 +10,7 @@
 
 #include "app/commands/BenchRender.h"
 #include "app/commands/RenderCommand.h"
+#include "app/pictures/MovieFormats.h"
 #include "app/pictures/PictureFormats.h"
 #include "render/Looks.h"
 
@@ -42,7 +43,9 @@ void addRenderCommand(CLI::App& cli, RenderOptions& options, int& status)
         ->required();
     command
         ->add_option("--output", options.output,
-                     "Picture to write (" + pictureEndings() + "); #### for the frame")
+                     "Picture to write (" + pictureEndings() +
+                         "), #### for the frame; or a movie of all frames (" + movieEndings() +
+                         "), made by ffmpeg")
         ->required();
     command->add_option("--camera", options.camera, "Name of a camera of the scene");
     command->add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();

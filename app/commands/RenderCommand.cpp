@@ -13,6 +13,7 @@
 #include "app/commands/SimulationProgress.h"
 #include "app/pictures/LensWish.h"
 #include "app/pictures/LookWish.h"
+#include "app/pictures/MovieFile.h"
 #include "app/pictures/PictureFile.h"
 #include "app/pictures/PictureMaker.h"
 #include "behavior/session/SceneMotion.h"
@@ -75,7 +76,8 @@ public:
         return {};
     }
 
-    [[nodiscard]] model::Result<void> write(double seconds, const QString& path)
+    /// Kept until the next one.
+    [[nodiscard]] model::Result<void> draw(double seconds)
     {
         m_request.frame = m_motion.at(
             seconds, nullptr, [this, seconds](double done) { m_progress.tell(done, seconds); });
@@ -88,9 +90,10 @@ public:
         if (m_keyframes.progress().isBudgetReached) {
             std::fprintf(stderr, "The memory for keyframes is used up: some clips stand still.\n");
         }
-        const InterruptGuard guard;
-        return writePicture(path, m_maker->pixels(), m_maker->size());
+        return {};
     }
+    [[nodiscard]] std::vector<std::uint8_t> pixels() const { return m_maker->pixels(); }
+    [[nodiscard]] glm::ivec2 size() const { return m_request.size; }
 
 private:
     /// Each sentence once, as soon as there is reason to.
@@ -135,6 +138,55 @@ model::Result<void> checkMissing(const model::Scene& scene, bool isAllowed)
         "in the editor and locate it, or draw without it by --allow-missing."};
 }
 
+/// Each frame in a file of its own.
+model::Result<void> writeFrames(ScenePictures& pictures, const RenderPlan& plan,
+                                const std::string& pattern)
+{
+    for (int frame = plan.firstFrame; frame <= plan.lastFrame; ++frame) {
+        const QString path = fileForFrame(pattern, frame);
+        if (auto drawn = pictures.draw(plan.secondsOf(frame)); !drawn) {
+            return drawn;
+        }
+        {
+            const InterruptGuard guard;
+            if (auto written = writePicture(path, pictures.pixels(), pictures.size()); !written) {
+                return written;
+            }
+        }
+        std::printf("%s\n", qPrintable(path));
+        std::fflush(stdout); // who reads along knows that the file is there
+    }
+    return {};
+}
+
+/// All in one; Ctrl+C leaves nothing of it.
+model::Result<void> writeMovie(ScenePictures& pictures, const RenderPlan& plan,
+                               const std::string& output)
+{
+    const InterruptGuard guard;
+    const QString path = QString::fromStdString(output);
+    auto movie = MovieFile::create(path, plan.size, plan.framesPerSecond);
+    if (!movie) {
+        return movie.error();
+    }
+    for (int frame = plan.firstFrame; frame <= plan.lastFrame; ++frame) {
+        if (InterruptGuard::isToEnd()) {
+            return {};
+        }
+        if (auto drawn = pictures.draw(plan.secondsOf(frame)); !drawn) {
+            return drawn;
+        }
+        if (auto added = movie.value()->add(pictures.pixels()); !added) {
+            return added;
+        }
+    }
+    if (auto finished = movie.value()->finish(); !finished) {
+        return finished;
+    }
+    std::printf("%s\n", qPrintable(path));
+    return {};
+}
+
 } // namespace
 
 int runRender(const RenderOptions& options)
@@ -168,13 +220,9 @@ int runRender(const RenderOptions& options)
     if (auto opened = pictures.open(); !opened) {
         return fail(opened.error());
     }
-    for (int frame = plan.value().firstFrame; frame <= plan.value().lastFrame; ++frame) {
-        const QString path = fileForFrame(options.output, frame);
-        if (auto written = pictures.write(plan.value().secondsOf(frame), path); !written) {
-            return fail(written.error());
-        }
-        std::printf("%s\n", qPrintable(path));
-        std::fflush(stdout); // who reads along knows that the file is there
+    const auto write = plan.value().isMovie ? &writeMovie : &writeFrames;
+    if (auto written = write(pictures, plan.value(), options.output); !written) {
+        return fail(written.error());
     }
     return 0;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/commands/OptionText.h"
+#include "app/pictures/MovieFormats.h"
 #include "behavior/session/SceneMotion.h"
 
 namespace crowd::app {
@@ -26,6 +27,16 @@ model::Result<void> planFrames(const RenderOptions& options, RenderPlan& plan)
     if (!isInRange(options.framesPerSecond, kLeastRate, kMostRate)) {
         return model::Error{"--fps must be from 0.01 to 1000 frames per second."};
     }
+    plan.isMovie = movieFormatOf(QString::fromStdString(options.output)) != nullptr;
+    if (plan.isMovie && hasPlace) {
+        return model::Error{"--output " + options.output +
+                            " is one movie: leave the #### away, or give the pictures another "
+                            "ending."};
+    }
+    if (options.frames.empty() && plan.isMovie) {
+        return model::Error{"--output " + options.output +
+                            " is a movie: say of which frames with --frames A-B, such as 0-299."};
+    }
     if (options.frames.empty()) {
         if (hasPlace) {
             return model::Error{"--output " + options.output +
@@ -38,7 +49,7 @@ model::Result<void> planFrames(const RenderOptions& options, RenderPlan& plan)
         return model::Error{"--frames " + options.frames +
                             " is not a range of frames: give it as A-B, such as 0-99."};
     }
-    if (!hasPlace && range->x != range->y) {
+    if (!hasPlace && !plan.isMovie && range->x != range->y) {
         return model::Error{"--output " + options.output +
                             " would be written over and over: put #### where the frame number "
                             "goes, such as f_####.png."};

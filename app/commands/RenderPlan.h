@@ -19,6 +19,7 @@ struct RenderPlan
     int lastFrame = 0;
     double startSeconds = 0.0; ///< of frame 0
     double framesPerSecond = 30.0;
+    bool isMovie = false; ///< all frames in one file
 
     [[nodiscard]] double secondsOf(int frame) const;
 };

@@ -56,8 +56,9 @@ QStringList localFiles(const QMimeData* data)
 
 MainWindow::MainWindow()
     : m_state(m_document), m_brushes(m_state, nullptr), m_actions(this), m_files(m_state, this),
-      m_assets(m_state, this), m_pictures(m_state, this), m_queue(m_files, m_assets, this),
-      m_interpreter(m_state), m_painter(m_interpreter, m_state, nullptr), m_recorder(m_document),
+      m_assets(m_state, this), m_pictures(m_state, this), m_movies(m_state, this),
+      m_queue(m_files, m_assets, this), m_interpreter(m_state),
+      m_painter(m_interpreter, m_state, nullptr), m_recorder(m_document),
       m_viewport(new widgets::ViewportWidget(m_state, this)), m_layout(*this),
       m_bookmarks(m_state, m_actions, this), m_states(m_state, m_actions, this),
       m_language([this] { return isFree(); }, this)
@@ -142,17 +143,28 @@ void MainWindow::renewAround()
     setUpdatesEnabled(true);
 }
 
-void MainWindow::savePicture()
+/// Of the picture, physical.
+glm::ivec2 MainWindow::viewPixels() const
 {
     const QSizeF pixels = QSizeF(m_viewport->size()) * m_viewport->devicePixelRatioF();
-    m_pictures.save({static_cast<int>(std::lround(pixels.width())),
-                     static_cast<int>(std::lround(pixels.height()))});
+    return {static_cast<int>(std::lround(pixels.width())),
+            static_cast<int>(std::lround(pixels.height()))};
+}
+
+void MainWindow::savePicture()
+{
+    m_pictures.save(viewPixels());
+}
+
+void MainWindow::makeMovie()
+{
+    m_movies.make(viewPixels());
 }
 
 bool MainWindow::isFree()
 {
     return !m_document.isEditOpen() && !m_viewport->tools().isDragging() && !m_files.isBusy() &&
-           !m_assets.isBusy() && !m_pictures.isBusy() && m_queue.isEmpty() &&
+           !m_assets.isBusy() && !m_pictures.isBusy() && !m_movies.isBusy() && m_queue.isEmpty() &&
            !m_interpreter.isRunning() && m_state.longWork().total == 0 &&
            QApplication::activeModalWidget() == nullptr &&
            QApplication::activePopupWidget() == nullptr;

@@ -13,6 +13,7 @@
 #include "app/window/FileController.h"
 #include "app/window/FileQueue.h"
 #include "app/window/LanguageMenu.h"
+#include "app/window/MovieController.h"
 #include "app/window/PictureController.h"
 #include "app/window/StateKeys.h"
 #include "model/document/SceneDocument.h"
@@ -60,6 +61,7 @@ public:
     void chooseLanguage(const QString& code) { m_language.choose(code); }
     void showPreferences();
     void savePicture();
+    void makeMovie();
     void showWelcome();
     void showShortcuts();
     void showAbout();
@@ -72,6 +74,7 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
+    [[nodiscard]] glm::ivec2 viewPixels() const;
     void buildAround();
     void renewAround();
     void connectDocks();
@@ -92,6 +95,7 @@ private:
     FileController m_files;
     AssetController m_assets;
     PictureController m_pictures;
+    MovieController m_movies;
     FileQueue m_queue;
     Interpreter m_interpreter;
     StrokePainter m_painter;

@@ -2,12 +2,11 @@
 #include "app/window/PictureController.h"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <QtCore/QFileInfo>
-#include <QtCore/QSettings>
 #include <QtCore/QStandardPaths>
-#include <QtWidgets/QFileDialog>
 #include <QtWidgets/QMessageBox>
 
 #include <glm/geometric.hpp>
@@ -16,43 +15,52 @@
 #include "app/pictures/PictureFile.h"
 #include "app/pictures/PictureFormats.h"
 #include "app/pictures/PictureMaker.h"
+#include "app/window/AskForPath.h"
 #include "app/window/PictureDialog.h"
+#include "app/window/PictureJob.h"
 #include "model/base/Translated.h"
-#include "model/view/PropertyPaint.h"
-#include "widgets/state/ShownLook.h"
 
 namespace crowd::app {
 
 namespace {
 
-const QString kPictureFolder = QStringLiteral("picture/folder");
 constexpr std::size_t kPictureKeyframeBytes = std::size_t{2} << 30U;
 
-/// All that a picture shows, apart from the document: the artist paints on meanwhile.
-struct PictureJob
+struct NamedJob
 {
     QString path;
+    PictureJob picture;
+    model::Scene scene;
     model::CrowdFramePtr frame;
-    std::vector<model::StageEntry> stages;
-    std::vector<model::WorldSeat> seats;
-    PictureRequest request; ///< its spans are set where it is drawn
 };
 
-model::Result<void> drawPicture(PictureJob job, const model::KeepGoing& keepGoing)
+model::Result<void> drawPicture(const NamedJob& job, const model::KeepGoing& keepGoing)
 {
     model::KeyframeStore keyframes(kPictureKeyframeBytes);
     auto maker = PictureMaker::create(keyframes);
     if (!maker) {
         return maker.error();
     }
-    job.request.frame = job.frame;
-    job.request.stages = job.stages;
-    job.request.seats = job.seats;
-    if (auto drawn = maker.value()->draw(job.request, keepGoing); !drawn) {
+    PictureJob picture = job.picture;
+    const PictureRequest& request = picture.ask(job.scene, job.frame);
+    if (auto drawn = maker.value()->draw(request, keepGoing); !drawn) {
         return drawn;
     }
     return writePicture(job.path, maker.value()->pixels(), maker.value()->size(),
-                        job.request.isTransparent);
+                        request.isTransparent);
+}
+
+std::vector<SaveKind> pictureKinds()
+{
+    std::vector<SaveKind> kinds;
+    for (const PictureFormat& format : pictureFormats()) {
+        SaveKind& kind = kinds.emplace_back();
+        kind.name = QLatin1String(format.name);
+        for (const char* ending : format.endings) {
+            kind.endings << QLatin1String(ending);
+        }
+    }
+    return kinds;
 }
 
 /// Metres along the view axis to the middle of who is selected; none: nobody is, or behind it.
@@ -93,49 +101,13 @@ void PictureController::save(glm::ivec2 view)
     if (dialog.exec() != QDialog::Accepted) {
         return;
     }
-    const QString path = askForPath();
+    const QString path = askForPath(
+        m_window, tr("Save Picture"), pictureKinds(), QStringLiteral("picture/folder"),
+        m_state.document().path(),
+        QStandardPaths::writableLocation(QStandardPaths::PicturesLocation), tr("picture"));
     if (!path.isEmpty()) {
         draw(path, dialog);
     }
-}
-
-QString PictureController::askForPath()
-{
-    QSettings settings;
-    const QString document = m_state.document().path();
-    const QString usual = document.isEmpty()
-                              ? QStandardPaths::writableLocation(QStandardPaths::PicturesLocation)
-                              : QFileInfo(document).absolutePath();
-    const QString folder = settings.value(kPictureFolder, usual).toString();
-    QString filters;
-    for (const PictureFormat& format : pictureFormats()) {
-        QStringList patterns;
-        for (const char* ending : format.endings) {
-            patterns << QStringLiteral("*.") + QLatin1String(ending);
-        }
-        filters += (filters.isEmpty() ? QString() : QStringLiteral(";;")) +
-                   QStringLiteral("%1 (%2)").arg(QLatin1String(format.name),
-                                                 patterns.join(QLatin1Char(' ')));
-    }
-    QFileDialog dialog(m_window, tr("Save Picture"), folder, filters);
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(QLatin1String(pictureFormats().front().endings.front()));
-    const QString name =
-        document.isEmpty() ? tr("picture") : QFileInfo(document).completeBaseName();
-    dialog.selectFile(name); // its ending comes with the kind of file that is chosen
-    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString& filter) {
-        for (const PictureFormat& format : pictureFormats()) {
-            if (filter.startsWith(QLatin1String(format.name))) {
-                dialog.setDefaultSuffix(QLatin1String(format.endings.front()));
-            }
-        }
-    });
-    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) {
-        return {};
-    }
-    QString path = dialog.selectedFiles().front();
-    settings.setValue(kPictureFolder, QFileInfo(path).absolutePath());
-    return path;
 }
 
 void PictureController::draw(const QString& path, const PictureDialog& chosen)
@@ -145,27 +117,10 @@ void PictureController::draw(const QString& path, const PictureDialog& chosen)
         m_state.showStatus(model::translated(lens.error()));
         return;
     }
-    const widgets::ViewOptions& options = m_state.viewOptions();
-    PictureJob job;
-    job.path = path;
-    job.frame = m_state.frame();
-    if (render::lookInfo(options.look).isByProperty) {
-        job.frame = model::framePaintedBy(m_state.scene(), *job.frame, options.property);
-    }
-    job.stages = m_state.scene().stages;
-    job.seats = m_state.scene().worldSeats();
-    job.request.lighting = m_state.scene().lighting;
-    job.request.lights = m_state.scene().lights;
-    job.request.lighting.showGroundGrid &= options.showGroundGrid;
-    job.request.camera = m_state.camera();
-    job.request.size = chosen.chosenSize();
-    job.request.lens = lens.value();
-    job.request.look = options.look;
-    job.request.showShadows = options.showShadows;
-    if (const model::LookPreset* look = widgets::shownLook(m_state)) {
-        job.request.ownLook = *look;
-    }
-    job.request.isTransparent = chosen.isTransparent();
+    NamedJob job{path, PictureJob::ofView(m_state), m_state.scene(), m_state.frame()};
+    job.picture.request.size = chosen.chosenSize();
+    job.picture.request.lens = lens.value();
+    job.picture.request.isTransparent = chosen.isTransparent();
     m_task.start(
         tr("Saving the picture…"),
         [job = std::move(job)](const widgets::TaskReport& report) {

@@ -24,7 +24,6 @@ public:
     [[nodiscard]] bool isBusy() const { return m_task.isRunning(); }
 
 private:
-    [[nodiscard]] QString askForPath();
     void draw(const QString& path, const PictureDialog& chosen);
 
     widgets::EditorState& m_state;

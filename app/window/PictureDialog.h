@@ -13,9 +13,10 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
-class QSpinBox;
 
 namespace crowd::app {
+
+class PictureSizeFields;
 
 /// What File > Save Picture asks before it asks for a name: the size in pixels, whether what lies
 /// behind crowd and stage is left out, and what is sharp. Proposes what was chosen last.
@@ -36,16 +37,12 @@ public:
     void accept() override;
 
 private:
-    void chooseSize(int index);
-    void noteOwnSize();
     void addLens(QFormLayout& form, const model::Camera& camera,
                  std::optional<double> selectedDepth);
     void chooseFocus(int index);
     void noteOwnFocus();
 
-    QComboBox* m_sizes;
-    QSpinBox* m_width;
-    QSpinBox* m_height;
+    PictureSizeFields* m_size;
     QCheckBox* m_transparent;
     QCheckBox* m_hasLens;
     QComboBox* m_focuses;

@@ -41,15 +41,12 @@ TimeSlider::TimeSlider(widgets::EditorState& state, QWidget* parent)
 void TimeSlider::refresh()
 {
     const widgets::SessionControl& session = m_state.session();
-    setEnabled(session.isRunning());
+    const double now = m_state.transport().seconds();
+    const double live = std::max(session.liveSeconds(), now);
+    setEnabled(live > session.firstSeconds());
     const QSignalBlocker blocker(this);
-    if (!session.isRunning()) {
-        setRange(0, 1);
-        setValue(0);
-        return;
-    }
-    setRange(ticks(session.firstSeconds()), ticks(session.liveSeconds()));
-    setValue(ticks(m_state.transport().seconds()));
+    setRange(ticks(session.firstSeconds()), std::max(ticks(live), 1));
+    setValue(ticks(now));
 }
 
 void TimeSlider::mousePressEvent(QMouseEvent* event)
@@ -81,9 +78,6 @@ void TimeSlider::mouseReleaseEvent(QMouseEvent* event)
 void TimeSlider::seek(int x)
 {
     const widgets::SessionControl& session = m_state.session();
-    if (!session.isRunning()) {
-        return; // it ended under the hand
-    }
     QStyleOptionSlider option;
     initStyleOption(&option);
     const QRect groove =
@@ -91,8 +85,8 @@ void TimeSlider::seek(int x)
     const int handle =
         style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this).width();
     const int way = std::max(1, groove.width() - handle);
-    const double share =
-        std::clamp(static_cast<double>(x - groove.x() - handle / 2) / way, 0.0, 1.0);
+    const int at = x - groove.x() - handle / 2;
+    const double share = std::clamp(static_cast<double>(at) / way, 0.0, 1.0);
     const double first = session.firstSeconds();
     m_state.transport().setSeconds(first + share * (session.liveSeconds() - first));
 }

@@ -7,9 +7,9 @@
 
 namespace crowd::app {
 
-/// The run so far, and what of it is shown: a drag shows any moment of it again, to and fro. Out of
-/// use where nothing runs. While it is held time stands; it plays on after that if it played.
-/// Main thread; the state outlives it.
+/// What has been played so far, and what of it is shown: a drag shows any moment of it again, to
+/// and fro. Out of use at the beginning. While it is held time stands; it plays on after that if it
+/// played. Main thread; the state outlives it.
 class TimeSlider : public QSlider
 {
     Q_OBJECT

@@ -136,6 +136,9 @@ const WindowAction kFileActions[] = {
     {{"save-picture", QT_TRANSLATE_NOOP("Actions", "Save &Picture…"), "picture", "Ctrl+Shift+E",
       QT_TRANSLATE_NOOP("Actions", "Save the view as a picture, in any size")},
      [](MainWindow& w, bool) { w.savePicture(); }},
+    {{"make-movie", QT_TRANSLATE_NOOP("Actions", "Make Mo&vie…"), "movie", "Ctrl+Alt+M",
+      QT_TRANSLATE_NOOP("Actions", "Write what has been played, or the scene, as a movie")},
+     [](MainWindow& w, bool) { w.makeMovie(); }},
     {{"library", QT_TRANSLATE_NOOP("Actions", "Add from &Library…"), "add", "Ctrl+Alt+L",
       QT_TRANSLATE_NOOP("Actions", "Choose built-in characters to paint with")},
      [](MainWindow& w, bool) { w.assets().addFromLibrary(); }},
@@ -299,9 +302,7 @@ const WindowAction kPlayActions[] = {
      [](MainWindow& w, bool) { w.state().session().stepBack(); }},
     {{"catch-up", QT_TRANSLATE_NOOP("Actions", "&Latest Moment"), "catch-up", "Ctrl+End",
       QT_TRANSLATE_NOOP("Actions", "From an earlier moment back to where the run has come")},
-     [](MainWindow& w, bool) { w.state().session().catchUp(); },
-     {.inputs = ActionInput::Session,
-      .isEnabled = [](MainWindow& w) { return w.state().session().isRunning(); }}},
+     [](MainWindow& w, bool) { w.state().session().catchUp(); }},
     {{"stop", QT_TRANSLATE_NOOP("Actions", "S&top"), "stop", "Ctrl+Home",
       QT_TRANSLATE_NOOP("Actions", "Back to the start, everybody where the scene has them")},
      [](MainWindow& w, bool) { w.state().session().stop(); }},
@@ -380,22 +381,10 @@ const WindowAction kOtherActions[] = {
      [](MainWindow& w, bool) { w.showAbout(); }},
 };
 
-constexpr const char* kFileMenu[] = {"new-theatre",
-                                     "new-ground",
-                                     "open",
-                                     "@recent",
-                                     "@examples",
-                                     "",
-                                     "save",
-                                     "save-as",
-                                     "save-picture",
-                                     "collect",
-                                     "",
-                                     "library",
-                                     "import-template",
-                                     "import-stage",
-                                     "",
-                                     "quit"};
+constexpr const char* kFileMenu[] = {
+    "new-theatre", "new-ground",      "open",         "@recent",    "@examples", "",
+    "save",        "save-as",         "save-picture", "make-movie", "collect",   "",
+    "library",     "import-template", "import-stage", "",           "quit"};
 constexpr const char* kEditMenu[] = {
     "undo",     "redo", "",        "duplicate",    "delete", "put-on-ground", "@path-of-places",
     "path-end", "",     "@states", "@keep-states", "",       "@language",     "preferences"};

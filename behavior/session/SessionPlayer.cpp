@@ -245,6 +245,11 @@ double SessionPlayer::first() const
     return kept.steps > 0 ? std::min(kept.first, ready) : ready;
 }
 
+std::shared_ptr<MotionCache> SessionPlayer::motion() const
+{
+    return m_run ? m_run->cache : nullptr;
+}
+
 std::pair<SessionPosePtr, SessionPosePtr> SessionPlayer::posesAround(double seconds) const
 {
     if (!m_run) {

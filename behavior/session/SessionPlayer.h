@@ -11,6 +11,8 @@
 
 namespace crowd::behavior {
 
+class MotionCache;
+
 /// Runs a session on a thread of its own, a little ahead of the picture, so that a slow step never
 /// makes anybody wait. All functions are called by one thread, which shows the picture and never
 /// waits for a step, not even to stop; edits and events take effect at the next step that is
@@ -53,6 +55,8 @@ public:
     /// Time of the earliest step that is known still. All are kept as long as they fit a budget of
     /// memory and disk; then the earliest go first.
     [[nodiscard]] double first() const;
+    /// All steps that are known still but the last one, for readers on any thread; null: no run.
+    [[nodiscard]] std::shared_ptr<MotionCache> motion() const;
     /// Puts people where they are at frame.seconds, as far as that has been computed.
     void pose(model::CrowdFrame& frame) const;
     /// Of the step that is shown at a time; null before the first one.

@@ -4,6 +4,7 @@ crowd_add_tests(ROOM app LINK crowd_app TESTS
     tst_Language
     tst_LookMenu
     tst_MainWindow
+    tst_MakeMovie
     tst_MemoryRelease
     tst_Panels
     tst_PictureFormats

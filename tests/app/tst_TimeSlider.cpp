@@ -26,6 +26,7 @@ private Q_SLOTS:
     void aDragShowsEarlierMoments();
     void stepsGoBackAndForth();
     void whatIsDoneHappensAtTheLatestMoment();
+    void clipsAloneAreSeenAgain();
 
 private:
     [[nodiscard]] QSlider* slider() const
@@ -53,6 +54,7 @@ void TestTimeSlider::play()
     scene.population.setValues<model::PathId>(
         model::columns::path, std::vector(ids.begin(), ids.end()), std::vector{path});
     openScene(scene, QStringLiteral("walk.crowd"));
+    session().stop();
     QVERIFY(!slider()->isEnabled());
     transport().setSpeed(4.0);
     transport().setPlaying(true);
@@ -133,6 +135,24 @@ void TestTimeSlider::whatIsDoneHappensAtTheLatestMoment()
     const float kept = shownX();
     QVERIFY(session().keepPose());
     QCOMPARE(document().scene().population.column(model::columns::position).front().x, kept);
+    QCOMPARE(transport().seconds(), live);
+}
+
+/// Where nobody goes anywhere there is no run; the clock is the same.
+void TestTimeSlider::clipsAloneAreSeenAgain()
+{
+    openScene(crowd::testing::plainScene(1), QStringLiteral("plain.crowd"));
+    session().stop();
+    transport().setPlaying(true);
+    QTRY_VERIFY_WITH_TIMEOUT(transport().seconds() > 0.5, crowd::testing::kPatienceMs);
+    transport().setPlaying(false);
+    const double live = transport().seconds();
+    QVERIFY(!session().isRunning() && slider()->isEnabled());
+    QTest::mouseClick(slider(), Qt::LeftButton, {}, slider()->rect().center());
+    QVERIFY(std::abs(transport().seconds() - live / 2.0) < 0.1 * live);
+    trigger("step-back");
+    QVERIFY(transport().seconds() < live / 2.0);
+    trigger("catch-up");
     QCOMPARE(transport().seconds(), live);
 }
 

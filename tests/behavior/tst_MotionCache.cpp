@@ -90,12 +90,12 @@ bool areSame(const SessionPose& a, const SessionPose& b)
            a.flags == b.flags && a.seats == b.seats && areSameFades(a.fades, b.fades);
 }
 
-constexpr std::size_t kPeople = 60;
+constexpr std::size_t kPosed = 60;
 constexpr std::uint64_t kSteps = 200;
 
 using CachePtr = std::shared_ptr<MotionCache>;
 
-void fill(MotionCache& cache, std::uint64_t steps = kSteps, std::size_t people = kPeople)
+void fill(MotionCache& cache, std::uint64_t steps = kSteps, std::size_t people = kPosed)
 {
     for (std::uint64_t step = 0; step < steps; ++step) {
         cache.add(poseOf(step, people));
@@ -111,8 +111,8 @@ void compareAll(const CachePtr& cache, std::uint64_t first, std::uint64_t increm
         const std::uint64_t step = first + i * increment % count;
         const auto [now, next] = reader.around((static_cast<double>(step) + 0.5) / kRate);
         QVERIFY2(now && next, qPrintable(QString::number(step)));
-        QVERIFY(areSame(*now, *poseOf(step, kPeople)));
-        QVERIFY(areSame(*next, *poseOf(std::min(step + 1, kSteps - 1), kPeople)));
+        QVERIFY(areSame(*now, *poseOf(step, kPosed)));
+        QVERIFY(areSame(*next, *poseOf(std::min(step + 1, kSteps - 1), kPosed)));
     }
 }
 
@@ -229,14 +229,14 @@ void TestMotionCache::fewBytesAreKept()
 
 void TestMotionCache::theSameTwice()
 {
-    const SessionPosePtr before = poseOf(60, kPeople);
-    const SessionPosePtr now = poseOf(61, kPeople);
+    const SessionPosePtr before = poseOf(60, kPosed);
+    const SessionPosePtr now = poseOf(61, kPosed);
     PoseWriter writer;
     PoseWriter other;
     QVERIFY(other.packed(*before, nullptr).bytes.size() > 100); // what was done before is nothing
     QVERIFY(writer.packed(*now, before.get()).isDifference);
     QCOMPARE(writer.packed(*now, before.get()).bytes, other.packed(*now, before.get()).bytes);
-    QVERIFY(!writer.packed(*poseOf(71, kPeople), now.get()).isDifference); // fewer
+    QVERIFY(!writer.packed(*poseOf(71, kPosed), now.get()).isDifference); // fewer
 }
 
 void TestMotionCache::damagedBytesAreNoPose_data()
@@ -252,9 +252,9 @@ void TestMotionCache::damagedBytesAreNoPose_data()
 void TestMotionCache::damagedBytesAreNoPose()
 {
     QFETCH(const int, kind);
-    const SessionPosePtr before = poseOf(60, kPeople);
+    const SessionPosePtr before = poseOf(60, kPosed);
     const std::vector<std::byte> bytes =
-        PoseWriter().packed(*poseOf(61, kPeople), before.get()).bytes;
+        PoseWriter().packed(*poseOf(61, kPosed), before.get()).bytes;
     const auto columnsOf = [](const SessionPose& pose) {
         PoseColumns columns;
         if (!columns.read(PoseWriter().packed(pose, nullptr).bytes, false)) {
@@ -283,7 +283,7 @@ void TestMotionCache::damagedBytesAreNoPose()
         default:
             break;
         }
-        PoseColumns columns = columnsOf(*poseOf(60, kPeople - (kind == 4 ? 1 : 0)));
+        PoseColumns columns = columnsOf(*poseOf(60, kPosed - (kind == 4 ? 1 : 0)));
         QVERIFY(!columns.read(bad, true));
     }
 }

@@ -13,6 +13,7 @@
 #include "tests/app/PlainScene.h"
 #include "tests/command/Program.h"
 #include "tests/program/FileContent.h"
+#include "tests/program/MovieContent.h"
 #include "tests/program/Test.h"
 
 using namespace crowd;
@@ -27,6 +28,7 @@ private Q_SLOTS:
     void drawsOnlyWhatMakesSense_data();
     void drawsOnlyWhatMakesSense();
     void drawsPicturesOfTheSizeAskedFor();
+    void drawsMovies();
     void drawsNothingThatLacksSomething();
     void opensWhatComesWithIt();
     void aFrameIsTheSameFromAnyRangeAndThreads_data();
@@ -63,6 +65,10 @@ void RenderCommandTest::drawsOnlyWhatMakesSense_data()
         {"a place without frames", "--output %1/a#.png", 2, "--frames A-B"},
         {"no frames a second", "--output %1/a#.png --frames 0-1 --fps 0", 2, "--fps"},
         {"no output", "--size 64x36", 2, "--output"},
+        {"a movie of nothing", "--output %1/a.mp4", 2, "say of which frames"},
+        {"many movies", "--output %1/a##.mp4 --frames 0-9", 2, "is one movie"},
+        {"a movie nowhere", "--output %1/no/a.gif --frames 0-1 --allow-missing", 1,
+         "a.gif cannot be written"},
         {"a time beyond all", "--output %1/a.png --time 1e18", 2, "604800, a week"},
         {"endless time", "--output %1/a.png --time inf", 2, "--time"},
         {"a time long before", "--output %1/a.png --time -1e18", 2, "--time"},
@@ -141,6 +147,24 @@ model::Scene walkers()
 }
 
 } // namespace
+
+void RenderCommandTest::drawsMovies()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.webm"));
+    const Outcome outcome =
+        run({QStringLiteral("render"), QStringLiteral(CROWD_RESOURCES "/scenes/theatre.crowd"),
+             QStringLiteral("--output"), path, QStringLiteral("--size"), QStringLiteral("96x54"),
+             QStringLiteral("--frames"), QStringLiteral("10-15"), QStringLiteral("--fps"),
+             QStringLiteral("25")});
+    QVERIFY2(outcome.status == 0, outcome.errors.constData());
+    QCOMPARE(outcome.output.trimmed(), path.toUtf8());
+    const auto pictures = picturesOf(path, 96, 54);
+    QCOMPARE(pictures.size(), std::size_t{6});
+    QVERIFY(pictures.front() != pictures.back());
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden),
+             QStringList{QStringLiteral("a.webm")});
+}
 
 void RenderCommandTest::drawsNothingThatLacksSomething()
 {

@@ -14,13 +14,13 @@ using namespace crowd::testing;
 
 namespace {
 
-constexpr float kQuarter = 1.5707963F;
+constexpr float kRightAngle = 1.5707963F;
 constexpr std::uint8_t kLevel = 128;
 constexpr std::uint8_t kTilted = 218; ///< some 45 degrees
 
 /// A floor of eight metres whose normal map leans the same way everywhere; u to the right (+X), v
 /// down in the picture (+Z).
-std::shared_ptr<model::StageAsset> floorOf(std::uint8_t red, std::uint8_t green)
+std::shared_ptr<model::StageAsset> leaningFloor(std::uint8_t red, std::uint8_t green)
 {
     auto sheet = makeSheet({{{-4, 0, 4}, {4, 0, 4}, {4, 0, -4}, {-4, 0, -4}}});
     sheet->meshes[0].uv = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
@@ -62,8 +62,8 @@ render::RenderInput TestRelief::evening()
     input.samples = 0;
     input.lighting.showGroundGrid = false;
     input.lighting.sunStrength = 0.6F;
-    input.lighting.sunAzimuthRadians = kQuarter;
-    input.lighting.sunElevationRadians = kQuarter / 2.0F;
+    input.lighting.sunAzimuthRadians = kRightAngle;
+    input.lighting.sunElevationRadians = kRightAngle / 2.0F;
     input.lighting.ambientStrength = 0.2F;
     input.lighting.highlights = 0.0F;
     return input;
@@ -82,16 +82,16 @@ int TestRelief::drawn(render::RenderInput input, const std::shared_ptr<model::St
 void TestRelief::leansTowardsTheSunOrAway()
 {
     render::RenderInput input = evening();
-    const int flat = drawn(input, floorOf(kLevel, kLevel));
-    const int towards = drawn(input, floorOf(kTilted, kLevel)); // red: along u, to the sun
-    const int away = drawn(input, floorOf(255 - kTilted, kLevel));
+    const int flat = drawn(input, leaningFloor(kLevel, kLevel));
+    const int towards = drawn(input, leaningFloor(kTilted, kLevel)); // red: along u, to the sun
+    const int away = drawn(input, leaningFloor(255 - kTilted, kLevel));
     QVERIFY2(towards > flat + 15, qPrintable(QStringLiteral("%1 %2").arg(towards).arg(flat)));
     QVERIFY2(away < flat - 40, qPrintable(QStringLiteral("%1 %2").arg(away).arg(flat)));
     // Green points up in the picture, which is away from us: to -Z.
-    input.lighting.sunAzimuthRadians = 2.0F * kQuarter;
-    const bool isSunBehind = drawn(input, floorOf(kLevel, kTilted)) > flat;
+    input.lighting.sunAzimuthRadians = 2.0F * kRightAngle;
+    const bool isSunBehind = drawn(input, leaningFloor(kLevel, kTilted)) > flat;
     input.lighting.sunAzimuthRadians = 0.0F;
-    const bool isSunBefore = drawn(input, floorOf(kLevel, kTilted)) > flat;
+    const bool isSunBefore = drawn(input, leaningFloor(kLevel, kTilted)) > flat;
     QVERIFY(isSunBehind != isSunBefore);
     const glm::vec3 sun = render::LinearLight::from(input.lighting).sunDirection;
     QCOMPARE(isSunBefore, sun.z < 0.0F);
@@ -99,8 +99,8 @@ void TestRelief::leansTowardsTheSunOrAway()
 
 void TestRelief::flatOnesChangeNothing()
 {
-    const auto plain = floorOf(kLevel, kLevel);
-    auto without = floorOf(kLevel, kLevel);
+    const auto plain = leaningFloor(kLevel, kLevel);
+    auto without = leaningFloor(kLevel, kLevel);
     without->materials[0].normalImage = -1;
     for (const float highlights : {0.0F, 1.0F}) {
         render::RenderInput input = evening();
@@ -112,13 +112,13 @@ void TestRelief::flatOnesChangeNothing()
 
 void TestRelief::theScaleFlattens()
 {
-    const auto leaning = floorOf(255 - kTilted, kLevel);
+    const auto leaning = leaningFloor(255 - kTilted, kLevel);
     const int steep = drawn(evening(), leaning);
-    auto less = floorOf(255 - kTilted, kLevel);
+    auto less = leaningFloor(255 - kTilted, kLevel);
     less->materials[0].normalScale = 0.3F;
     const int gentle = drawn(evening(), less);
     QVERIFY(gentle > steep + 20);
-    auto none = floorOf(255 - kTilted, kLevel);
+    auto none = leaningFloor(255 - kTilted, kLevel);
     none->materials[0].normalScale = 0.0F;
     QVERIFY(drawn(evening(), none) > gentle + 5);
 }
@@ -134,15 +134,15 @@ void TestRelief::lampsAndShadowsKnowIt()
     lamp.strength = 3.0F;
     const std::array lamps{lamp};
     input.lights = lamps;
-    const int towards = drawn(input, floorOf(255 - kTilted, kLevel));
-    const int away = drawn(input, floorOf(kTilted, kLevel));
+    const int towards = drawn(input, leaningFloor(255 - kTilted, kLevel));
+    const int away = drawn(input, leaningFloor(kTilted, kLevel));
     QVERIFY2(towards > away + 30, qPrintable(QStringLiteral("%1 %2").arg(towards).arg(away)));
     // With the sun's shadows on, nothing that is lit gets darker.
     render::RenderInput shadowed = evening();
-    const int lit = drawn(shadowed, floorOf(kTilted, kLevel));
+    const int lit = drawn(shadowed, leaningFloor(kTilted, kLevel));
     shadowed.showShadows = true;
     shadowed.lighting.shadowStrength = 1.0F;
-    QVERIFY(std::abs(drawn(shadowed, floorOf(kTilted, kLevel)) - lit) <= 2);
+    QVERIFY(std::abs(drawn(shadowed, leaningFloor(kTilted, kLevel)) - lit) <= 2);
 }
 
 void TestRelief::looksWithoutMaterialsHaveNone()
@@ -151,7 +151,8 @@ void TestRelief::looksWithoutMaterialsHaveNone()
                                     render::Look::Silhouettes}) {
         render::RenderInput input = evening();
         input.look = look;
-        QCOMPARE(drawn(input, floorOf(kTilted, kLevel)), drawn(input, floorOf(kLevel, kLevel)));
+        QCOMPARE(drawn(input, leaningFloor(kTilted, kLevel)),
+                 drawn(input, leaningFloor(kLevel, kLevel)));
     }
 }
 

@@ -129,6 +129,7 @@ void SessionControl::followScene(const model::SceneChange& change)
             forgetSurface();
             m_surface->plan = {}; // it holds the stages
             drop();
+            m_liveSeconds = m_transport.seconds();
         });
     m_isBehaviourStale = true;
     const bool isOfNoInterest = isOneOf<model::CamerasChanged, model::LightingChanged,
@@ -181,6 +182,7 @@ void SessionControl::changeOver(const model::ChangeOver& change)
 {
     const bool isSeen = m_transport.isPlaying() && !change.timing.isAtOnce();
     if (isRunning() || (isSeen && startForRecall())) {
+        catchUp();
         handPending();
         m_changing =
             std::make_unique<ChangingPeople>(ChangingPeople{change, m_document.scene().population});
@@ -353,6 +355,7 @@ void SessionControl::advance(double realSeconds)
     }
     if (!isRunning()) {
         m_transport.advance(realSeconds);
+        m_liveSeconds = std::max(m_liveSeconds, m_transport.seconds());
         return;
     }
     m_transport.advance(realSeconds, m_player->available());
@@ -378,9 +381,9 @@ void SessionControl::stepOnce()
     const double next = m_startSeconds + steps / rate;
     if (isRunning()) {
         m_player->request(next);
-        m_liveSeconds = std::max(m_liveSeconds, next);
     }
     m_transport.setSeconds(isRunning() ? next : m_transport.seconds() + 1.0 / rate);
+    m_liveSeconds = std::max(m_liveSeconds, m_transport.seconds());
 }
 
 void SessionControl::stepBack()
@@ -397,7 +400,7 @@ void SessionControl::stepBack()
 
 void SessionControl::catchUp()
 {
-    if (isRunning() && m_transport.seconds() < m_liveSeconds) {
+    if (m_transport.seconds() < m_liveSeconds) {
         m_transport.setSeconds(m_liveSeconds);
     }
 }
@@ -409,7 +412,7 @@ double SessionControl::firstSeconds() const
 
 double SessionControl::liveSeconds() const
 {
-    return isRunning() ? m_liveSeconds : m_transport.seconds();
+    return m_liveSeconds;
 }
 
 /// Steps a second.
@@ -423,6 +426,7 @@ void SessionControl::stop()
     drop();
     m_transport.setPlaying(false);
     m_transport.rewind();
+    m_liveSeconds = 0.0;
     Q_EMIT stateChanged();
 }
 
@@ -470,6 +474,11 @@ model::CrowdFramePtr SessionControl::frame(double seconds) const
         m_frameRevision = m_document.revision();
     }
     return m_frame;
+}
+
+std::shared_ptr<behavior::MotionCache> SessionControl::motion() const
+{
+    return m_player->motion();
 }
 
 std::vector<model::IndividualId> SessionControl::lit() const

@@ -18,6 +18,7 @@
 #include "widgets/state/Transport.h"
 
 namespace crowd::behavior {
+class MotionCache;
 class SessionPlayer;
 class WalkSurface;
 struct RuleFired;
@@ -48,11 +49,11 @@ public:
     void stepOnce();
     /// As it was a step before, then pause. Nothing where that is not known any more.
     void stepBack();
-    /// To where the session has come, from an earlier time that is shown.
+    /// To the latest time that was shown, from an earlier one.
     void catchUp();
-    /// The earliest time that can be shown again; of a running session.
+    /// The earliest time that can be shown again.
     [[nodiscard]] double firstSeconds() const;
-    /// How far it has been shown; what is sent to people happens then. Of a running session.
+    /// The latest that has been shown; what is sent to people happens then.
     [[nodiscard]] double liveSeconds() const;
     /// Back to the scene, at the start of time, paused.
     void stop();
@@ -74,6 +75,8 @@ public:
     /// What is shown at a time of the transport.
     [[nodiscard]] model::CrowdFramePtr frame(double seconds) const;
     void pose(model::CrowdFrame& frame) const;
+    /// All that has been played, for readers on any thread; null: nothing runs.
+    [[nodiscard]] std::shared_ptr<behavior::MotionCache> motion() const;
     /// For whom a rule has just fired; ascending.
     [[nodiscard]] std::vector<model::IndividualId> lit() const;
     /// What the session has to say to the artist, as of its last step.

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/MovieController.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <QtCore/QFileInfo>
+#include <QtCore/QStandardPaths>
+#include <QtWidgets/QMessageBox>
+
+#include "app/pictures/MovieFile.h"
+#include "app/pictures/MovieFormats.h"
+#include "app/window/AskForPath.h"
+#include "app/window/MovieDialog.h"
+#include "app/window/PictureJob.h"
+#include "behavior/session/MotionReader.h"
+#include "behavior/session/SceneMotion.h"
+#include "model/base/Translated.h"
+#include "model/scene/LookPreset.h"
+
+namespace crowd::app {
+
+namespace {
+
+constexpr std::size_t kMovieKeyframeBytes = std::size_t{2} << 30U;
+
+struct MovieJob
+{
+    QString path;
+    PictureJob picture;
+    model::Scene scene;
+    model::CrowdFramePtr shown;                 ///< whom the run does not have
+    std::shared_ptr<behavior::MotionCache> run; ///< null: the scene from its beginning
+    TimeSpan span;
+    double framesPerSecond = 30.0;
+    QString title;
+
+    [[nodiscard]] int pictures() const
+    {
+        return 1 + static_cast<int>(std::floor((span.to - span.from) * framesPerSecond + 1e-6));
+    }
+};
+
+/// People at one time after the other.
+class MovieFrames
+{
+public:
+    explicit MovieFrames(const MovieJob& job) : m_job(job)
+    {
+        if (job.run) {
+            m_reader = std::make_unique<behavior::MotionReader>(job.run);
+        } else {
+            m_motion = std::make_unique<behavior::SceneMotion>(job.scene);
+        }
+    }
+
+    /// Null: it was stopped.
+    [[nodiscard]] model::CrowdFramePtr at(double seconds, const model::KeepGoing& keepGoing)
+    {
+        if (m_motion) {
+            std::atomic<bool> isOver{false};
+            return m_motion->at(seconds, &isOver,
+                                [&](double) { isOver = isOver || !keepGoing(0.0); });
+        }
+        auto frame = std::make_shared<model::CrowdFrame>(*m_job.shown);
+        frame->seconds = seconds;
+        const auto [before, after] = m_reader->around(seconds);
+        if (before) {
+            behavior::applyPose(*before, *after, *frame);
+        }
+        return frame;
+    }
+
+private:
+    const MovieJob& m_job;
+    std::unique_ptr<behavior::MotionReader> m_reader;
+    std::unique_ptr<behavior::SceneMotion> m_motion;
+};
+
+model::Error stopped()
+{
+    return model::Error{QT_TRANSLATE_NOOP("Messages", "The movie was cancelled.")};
+}
+
+model::Result<void> drawMovie(const MovieJob& job, const widgets::TaskReport& report)
+{
+    model::KeyframeStore keyframes(kMovieKeyframeBytes);
+    auto maker = PictureMaker::create(keyframes);
+    if (!maker) {
+        return maker.error();
+    }
+    auto movie = MovieFile::create(job.path, job.picture.request.size, job.framesPerSecond);
+    if (!movie) {
+        return movie.error();
+    }
+    MovieFrames frames(job);
+    PictureJob picture = job.picture;
+    const int pictures = job.pictures();
+    for (int i = 0; i < pictures; ++i) {
+        const float share = static_cast<float>(i) / static_cast<float>(pictures);
+        const auto keepGoing = [&](double) { return report(job.title, share); };
+        const auto frame = frames.at(job.span.from + i / job.framesPerSecond, keepGoing);
+        if (!frame || !keepGoing(0.0)) {
+            return stopped();
+        }
+        if (auto drawn = maker.value()->draw(picture.ask(job.scene, frame), keepGoing); !drawn) {
+            return drawn;
+        }
+        if (auto added = movie.value()->add(maker.value()->pixels()); !added) {
+            return added;
+        }
+    }
+    return movie.value()->finish();
+}
+
+std::vector<SaveKind> movieKinds()
+{
+    std::vector<SaveKind> kinds;
+    for (const MovieFormat& format : movieFormats()) {
+        kinds.push_back({QLatin1String(format.name), {QLatin1String(format.ending)}});
+    }
+    return kinds;
+}
+
+/// A camera's own look, as the view takes it on with the camera.
+void lookThrough(const model::Scene& scene, const model::NamedCamera& camera, PictureJob& picture)
+{
+    picture.request.camera = camera.camera;
+    const model::LookPreset* look = model::findLook(scene.looks, camera.look);
+    if (look != nullptr) {
+        picture.request.ownLook = *look;
+    }
+}
+
+} // namespace
+
+MovieController::MovieController(widgets::EditorState& state, QWidget* window)
+    : QObject(window), m_state(state), m_window(window),
+      m_task(window, [&state] { return !state.document().isEditOpen(); })
+{
+}
+
+void MovieController::make(glm::ivec2 view)
+{
+    if (m_task.isRunning()) {
+        m_state.showStatus(tr("Another movie is still being made."));
+        return;
+    }
+    const widgets::SessionControl& session = m_state.session();
+    MovieDialog::Offer offer{view, {}, {}};
+    for (const model::NamedCamera& camera : m_state.scene().cameras) {
+        offer.cameras << QString::fromStdString(camera.name);
+    }
+    if (session.isRunning() && session.liveSeconds() > session.firstSeconds()) {
+        offer.run = TimeSpan{session.firstSeconds(), session.liveSeconds()};
+    }
+    MovieDialog dialog(offer, m_window);
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
+    }
+    const QString path =
+        askForPath(m_window, tr("Make Movie"), movieKinds(), QStringLiteral("movie/folder"),
+                   m_state.document().path(),
+                   QStandardPaths::writableLocation(QStandardPaths::MoviesLocation), tr("movie"));
+    if (!path.isEmpty()) {
+        draw(path, dialog);
+    }
+}
+
+void MovieController::draw(const QString& path, const MovieDialog& chosen)
+{
+    MovieJob job;
+    job.path = path;
+    job.picture = PictureJob::ofView(m_state);
+    job.scene = m_state.scene();
+    job.span = chosen.span();
+    job.framesPerSecond = chosen.framesPerSecond();
+    job.title = tr("Drawing %1").arg(QFileInfo(path).fileName());
+    const auto camera = static_cast<std::size_t>(std::max(chosen.camera(), 0));
+    if (chosen.camera() >= 0 && camera < job.scene.cameras.size()) {
+        lookThrough(job.scene, job.scene.cameras[camera], job.picture);
+    }
+    job.picture.request.size = chosen.chosenSize();
+    if (chosen.isOfRun()) {
+        job.run = m_state.session().motion();
+        job.shown = m_state.document().frame(job.span.from);
+    }
+    m_task.start(
+        tr("Making the movie…"),
+        [job = std::move(job)](const widgets::TaskReport& report) {
+            return drawMovie(job, report);
+        },
+        [this, path](const model::Result<void>& made) {
+            if (made) {
+                m_state.showStatus(tr("Made %1").arg(QFileInfo(path).fileName()));
+                return;
+            }
+            QMessageBox::warning(m_window, tr("The movie could not be made"),
+                                 model::translated(made.error()));
+        });
+}
+
+} // namespace crowd::app

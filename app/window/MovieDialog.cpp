@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/MovieDialog.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QtCore/QSettings>
+#include <QtCore/QSignalBlocker>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDialogButtonBox>
+#include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QFormLayout>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QPushButton>
+
+#include "app/window/PictureSizeFields.h"
+
+namespace crowd::app {
+
+namespace {
+
+const QString kMovieRate = QStringLiteral("movie/framesPerSecond");
+const QString kMovieSeconds = QStringLiteral("movie/seconds");
+constexpr double kRates[] = {24.0, 25.0, 30.0, 50.0, 60.0};
+constexpr double kUsualRate = 30.0;
+constexpr double kUsualSeconds = 10.0;
+constexpr double kMostSeconds = 36000.0;
+
+QDoubleSpinBox* secondsField(const char* name, QWidget* parent)
+{
+    auto* box = new QDoubleSpinBox(parent);
+    box->setObjectName(QLatin1String(name));
+    box->setRange(0.0, kMostSeconds);
+    box->setDecimals(2);
+    box->setSuffix(MovieDialog::tr(" s"));
+    return box;
+}
+
+} // namespace
+
+MovieDialog::MovieDialog(const Offer& offer, QWidget* parent)
+    : QDialog(parent), m_offer(offer), m_sources(new QComboBox(this)),
+      m_from(secondsField("movieFrom", this)), m_to(secondsField("movieTo", this)),
+      m_rates(new QComboBox(this)), m_count(new QLabel(this)),
+      m_size(new PictureSizeFields(offer.view, QStringLiteral("movie/size"), this)),
+      m_cameras(new QComboBox(this))
+{
+    setWindowTitle(tr("Make Movie"));
+    m_cameras->setObjectName(QStringLiteral("movieCameras"));
+    m_cameras->addItem(tr("The view as it is"));
+    m_cameras->addItems(offer.cameras);
+    m_count->setObjectName(QStringLiteral("movieCount"));
+    m_count->setEnabled(false);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    buttons->addButton(tr("Make…"), QDialogButtonBox::AcceptRole)->setDefault(true);
+    connect(buttons, &QDialogButtonBox::accepted, this, &MovieDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &MovieDialog::reject);
+    auto* form = new QFormLayout(this);
+    addSource(*form);
+    addRate(*form);
+    form->addRow(tr("Camera"), m_cameras);
+    form->addRow(tr("Size"), m_size);
+    form->addRow(buttons);
+    for (QDoubleSpinBox* box : {m_from, m_to}) {
+        connect(box, &QDoubleSpinBox::valueChanged, this, &MovieDialog::countPictures);
+    }
+    connect(m_rates, &QComboBox::currentIndexChanged, this, &MovieDialog::countPictures);
+    connect(m_sources, &QComboBox::currentIndexChanged, this, &MovieDialog::chooseSource);
+    chooseSource();
+}
+
+void MovieDialog::addSource(QFormLayout& form)
+{
+    m_sources->setObjectName(QStringLiteral("movieSources"));
+    if (m_offer.run) {
+        m_sources->addItem(tr("What has been played"), true);
+    }
+    m_sources->addItem(tr("The scene from its beginning"), false);
+    m_sources->setToolTip(tr("What has been played, with all that was sent, called and recalled "
+                             "meanwhile; or the scene as it plays if nobody touches it"));
+    auto* times = new QHBoxLayout;
+    times->addWidget(m_from);
+    times->addWidget(new QLabel(tr("to"), this));
+    times->addWidget(m_to);
+    times->addStretch(1);
+    form.addRow(tr("Of"), m_sources);
+    form.addRow(tr("From"), times);
+}
+
+void MovieDialog::addRate(QFormLayout& form)
+{
+    m_rates->setObjectName(QStringLiteral("movieRates"));
+    const double last = QSettings().value(kMovieRate, kUsualRate).toDouble();
+    for (const double rate : kRates) {
+        m_rates->addItem(tr("%1 pictures a second").arg(rate), rate);
+        if (rate == last) {
+            m_rates->setCurrentIndex(m_rates->count() - 1);
+        }
+    }
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_rates);
+    row->addWidget(m_count);
+    row->addStretch(1);
+    form.addRow(tr("Rate"), row);
+}
+
+void MovieDialog::chooseSource()
+{
+    const double seconds = QSettings().value(kMovieSeconds, kUsualSeconds).toDouble();
+    const TimeSpan offered = isOfRun() ? *m_offer.run : TimeSpan{0.0, seconds};
+    const double least = isOfRun() ? offered.from : 0.0;
+    const double most = isOfRun() ? offered.to : kMostSeconds;
+    for (QDoubleSpinBox* box : {m_from, m_to}) {
+        const QSignalBlocker blocker(box);
+        box->setRange(least, most);
+        box->setValue(box == m_from ? offered.from : offered.to);
+    }
+    countPictures();
+}
+
+void MovieDialog::countPictures()
+{
+    const TimeSpan span = this->span();
+    const auto pictures =
+        static_cast<int>(std::floor((span.to - span.from) * framesPerSecond() + 1e-6)) + 1;
+    m_count->setText(tr("%n picture(s)", nullptr, std::max(pictures, 1)));
+}
+
+bool MovieDialog::isOfRun() const
+{
+    return m_sources->currentData().toBool();
+}
+
+/// From the earlier to the later, whichever field says it.
+TimeSpan MovieDialog::span() const
+{
+    return {std::min(m_from->value(), m_to->value()), std::max(m_from->value(), m_to->value())};
+}
+
+double MovieDialog::framesPerSecond() const
+{
+    return m_rates->currentData().toDouble();
+}
+
+glm::ivec2 MovieDialog::chosenSize() const
+{
+    return m_size->chosen();
+}
+
+int MovieDialog::camera() const
+{
+    return m_cameras->currentIndex() - 1;
+}
+
+void MovieDialog::accept()
+{
+    QSettings settings;
+    settings.setValue(kMovieRate, framesPerSecond());
+    if (!isOfRun()) {
+        settings.setValue(kMovieSeconds, span().to);
+    }
+    m_size->remember();
+    QDialog::accept();
+}
+
+} // namespace crowd::app

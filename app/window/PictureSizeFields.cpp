@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/PictureSizeFields.h"
+
+#include <QtCore/QSettings>
+#include <QtCore/QSignalBlocker>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QSpinBox>
+#include <QtWidgets/QVBoxLayout>
+
+namespace crowd::app {
+
+namespace {
+
+constexpr int kLeastPixels = 16;
+constexpr int kMostPixels = 8192;
+
+QSpinBox* pixelField(const char* name, QWidget* parent)
+{
+    auto* box = new QSpinBox(parent);
+    box->setObjectName(QLatin1String(name));
+    box->setRange(kLeastPixels, kMostPixels);
+    return box;
+}
+
+} // namespace
+
+PictureSizeFields::PictureSizeFields(glm::ivec2 view, const QString& settingsKey, QWidget* parent)
+    : QWidget(parent), m_settingsKey(settingsKey), m_sizes(new QComboBox(this)),
+      m_width(pixelField("pictureWidth", this)), m_height(pixelField("pictureHeight", this))
+{
+    m_sizes->setObjectName(QStringLiteral("pictureSizes"));
+    m_sizes->addItem(tr("As in the window"), QSize(view.x, view.y));
+    m_sizes->addItem(tr("Full HD"), QSize(1920, 1080));
+    m_sizes->addItem(tr("4K"), QSize(3840, 2160));
+    m_sizes->addItem(tr("Square"), QSize(2048, 2048));
+    m_sizes->addItem(tr("Another size"), QSize());
+    auto* pixels = new QHBoxLayout;
+    pixels->addWidget(m_width);
+    pixels->addWidget(new QLabel(tr("×"), this));
+    pixels->addWidget(m_height);
+    pixels->addWidget(new QLabel(tr("pixels"), this));
+    pixels->addStretch(1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_sizes);
+    layout->addLayout(pixels);
+    connect(m_sizes, &QComboBox::currentIndexChanged, this, &PictureSizeFields::chooseSize);
+    for (QSpinBox* box : {m_width, m_height}) {
+        connect(box, &QSpinBox::valueChanged, this, &PictureSizeFields::noteOwnSize);
+    }
+    chooseSize(0);
+    const QSize last = QSettings().value(m_settingsKey).toSize(); // invalid: as the window
+    if (last.isValid()) {
+        m_width->setValue(last.width());
+        m_height->setValue(last.height());
+    }
+}
+
+glm::ivec2 PictureSizeFields::chosen() const
+{
+    return {m_width->value(), m_height->value()};
+}
+
+void PictureSizeFields::remember() const
+{
+    const bool isWindow = m_sizes->currentIndex() == 0;
+    QSettings().setValue(m_settingsKey,
+                         isWindow ? QSize() : QSize(m_width->value(), m_height->value()));
+}
+
+void PictureSizeFields::chooseSize(int index)
+{
+    const QSize size = m_sizes->itemData(index).toSize();
+    if (!size.isValid()) {
+        return; // the artist's own
+    }
+    const QSignalBlocker width(m_width);
+    const QSignalBlocker height(m_height);
+    m_width->setValue(size.width());
+    m_height->setValue(size.height());
+}
+
+/// The list shows the name of the size that stands in the fields.
+void PictureSizeFields::noteOwnSize()
+{
+    const QSignalBlocker blocker(m_sizes);
+    const int found = m_sizes->findData(QSize(m_width->value(), m_height->value()));
+    m_sizes->setCurrentIndex(found >= 0 ? found : m_sizes->count() - 1);
+}
+
+} // namespace crowd::app

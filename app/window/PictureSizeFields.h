@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QtCore/QString>
+#include <QtWidgets/QWidget>
+
+#include <glm/vec2.hpp>
+
+class QComboBox;
+class QSpinBox;
+
+namespace crowd::app {
+
+/// The size of a picture in pixels: usual ones by name, and any other. Proposes what was chosen
+/// last, under a key of the settings.
+class PictureSizeFields : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// `view`: size of the picture in the window, physical pixels.
+    PictureSizeFields(glm::ivec2 view, const QString& settingsKey, QWidget* parent);
+
+    [[nodiscard]] glm::ivec2 chosen() const;
+    void remember() const;
+
+private:
+    void chooseSize(int index);
+    void noteOwnSize();
+
+    QString m_settingsKey;
+    QComboBox* m_sizes;
+    QSpinBox* m_width;
+    QSpinBox* m_height;
+};
+
+} // namespace crowd::app

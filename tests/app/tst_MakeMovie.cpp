@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include <QtGui/QAction>
+#include <QtTest/QTest>
+#include <QtWidgets/QAbstractItemView>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QProgressDialog>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QSpinBox>
+
+#include "tests/app/SceneWindow.h"
+#include "tests/program/MovieContent.h"
+#include "tests/program/WindowTest.h"
+#include "widgets/state/SessionControl.h"
+
+using namespace crowd;
+using namespace crowd::testing;
+
+namespace {
+
+constexpr int kWidth = 96;
+constexpr int kHeight = 64;
+
+/// Somebody walks across the picture.
+model::Scene walkScene()
+{
+    model::Scene scene = plainScene(1);
+    scene.places = {{1, "here", {-6.0F, 0.0F, 0.0F}, 0.3F}, {2, "there", {6.0F, 0.0F, 0.0F}, 0.3F}};
+    scene.paths = {{1, "way", model::PathKind::Simple, {1, 2}}};
+    const auto ids = scene.population.ids();
+    const std::vector<model::IndividualId> all(ids.begin(), ids.end());
+    scene.population.setValues<model::PathId>(model::columns::path, all,
+                                              std::vector<model::PathId>{1});
+    scene.population.setValues<glm::vec3>(model::columns::position, all,
+                                          std::vector<glm::vec3>{{-6.0F, 0.0F, 0.0F}});
+    return scene;
+}
+
+} // namespace
+
+/// File > Make Movie, in the real window.
+class TestMakeMovie : public QObject, private SceneWindow
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { prepare("tst_MakeMovie"); }
+    void init() { begin(); }
+    void cleanup() { qunsetenv("CROWDBRUSH_FFMPEG"); }
+    void ofTheSceneFromItsBeginning();
+    void ofWhatHasBeenPlayed();
+    void nothingStaysOfWhatIsCancelled();
+    void saysWhereFfmpegIsNot();
+
+private:
+    /// Answers both dialogs; false: one did not come.
+    bool make(const QString& path, const std::function<void(QDialog&)>& choose);
+};
+
+bool TestMakeMovie::make(const QString& path, const std::function<void(QDialog&)>& choose)
+{
+    bool hasChosenFile = false;
+    std::unique_ptr<DialogAnswer> file;
+    const DialogAnswer dialog([&](QDialog& shown) {
+        shown.findChild<QSpinBox*>(QStringLiteral("pictureWidth"))->setValue(kWidth);
+        shown.findChild<QSpinBox*>(QStringLiteral("pictureHeight"))->setValue(kHeight);
+        choose(shown);
+        file = std::make_unique<DialogAnswer>([&](QDialog& chooser) {
+            auto* name = chooser.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+            hasChosenFile = name != nullptr;
+            if (name == nullptr) {
+                chooser.reject();
+                return;
+            }
+            for (auto* view : chooser.findChildren<QAbstractItemView*>()) {
+                view->clearSelection(); // else the file it offers is taken
+            }
+            name->setText(path);
+            QTest::keyClick(name, Qt::Key_Return);
+        });
+        shown.accept();
+    });
+    m_window->actions().action("make-movie")->trigger();
+    return hasChosenFile;
+}
+
+void TestMakeMovie::ofTheSceneFromItsBeginning()
+{
+    openScene(walkScene(), QStringLiteral("walk.crowd"));
+    const QString path = pathOf(QStringLiteral("walk.mp4"));
+    QVERIFY(make(path, [](QDialog& dialog) {
+        auto* sources = dialog.findChild<QComboBox*>(QStringLiteral("movieSources"));
+        QCOMPARE(sources->count(), 1); // nothing has been played
+        auto* from = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieFrom"));
+        auto* to = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieTo"));
+        QCOMPARE(from->value(), 0.0);
+        to->setValue(0.4);
+        from->setValue(1.0); // the other way round
+        auto* rates = dialog.findChild<QComboBox*>(QStringLiteral("movieRates"));
+        rates->setCurrentIndex(rates->findData(25.0));
+        auto* count = dialog.findChild<QLabel*>(QStringLiteral("movieCount"));
+        QVERIFY2(count->text().startsWith(QStringLiteral("16 ")), qPrintable(count->text()));
+        auto* cameras = dialog.findChild<QComboBox*>(QStringLiteral("movieCameras"));
+        QCOMPARE(cameras->count(), 2);
+        cameras->setCurrentIndex(1);
+    }));
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->isFree(), 6 * kPatienceMs);
+    const auto pictures = picturesOf(path, kWidth, kHeight);
+    QCOMPARE(pictures.size(), std::size_t{16});
+    QVERIFY(pictures.front() != pictures.back());
+    QVERIFY(!m_window->state().session().isRunning()); // it was another run
+}
+
+/// As it was seen, whatever the scene is like by now.
+void TestMakeMovie::ofWhatHasBeenPlayed()
+{
+    openScene(walkScene(), QStringLiteral("walk.crowd"));
+    auto& transport = m_window->state().transport();
+    auto& session = m_window->state().session();
+    transport.setSpeed(4.0);
+    transport.setPlaying(true);
+    QTRY_VERIFY_WITH_TIMEOUT(session.isRunning() && transport.seconds() > 2.0, kPatienceMs);
+    transport.setPlaying(false);
+    const double live = session.liveSeconds();
+    const QString path = pathOf(QStringLiteral("run.mp4"));
+    int offered = 0;
+    QVERIFY(make(path, [&](QDialog& dialog) {
+        auto* sources = dialog.findChild<QComboBox*>(QStringLiteral("movieSources"));
+        offered = sources->count();
+        auto* from = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieFrom"));
+        auto* to = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieTo"));
+        QVERIFY(std::abs(to->value() - live) < 0.01 && from->value() < 0.1);
+        from->setValue(1.0);
+        to->setValue(1.5);
+    }));
+    QCOMPARE(offered, 2);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->isFree(), 6 * kPatienceMs);
+    const auto pictures = picturesOf(path, kWidth, kHeight);
+    QCOMPARE(pictures.size(), std::size_t{16}); // 30 a second
+    QVERIFY(pictures.front() != pictures.back());
+    QVERIFY(session.isRunning()); // and goes on
+    QCOMPARE(session.liveSeconds(), live);
+}
+
+void TestMakeMovie::nothingStaysOfWhatIsCancelled()
+{
+    openScene(walkScene(), QStringLiteral("walk.crowd"));
+    const QString path = pathOf(QStringLiteral("long.mp4"));
+    QVERIFY(make(path, [](QDialog& dialog) {
+        dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieTo"))->setValue(600.0);
+    }));
+    QProgressDialog* progress = nullptr;
+    QTRY_VERIFY_WITH_TIMEOUT((progress = m_window->findChild<QProgressDialog*>()) != nullptr &&
+                                 progress->isVisible(),
+                             kPatienceMs);
+    const QString part = pathOf(QStringLiteral(".long.mp4.part"));
+    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(part), kPatienceMs);
+    progress->findChild<QPushButton*>()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->isFree() && !QFileInfo::exists(part), kPatienceMs);
+    QVERIFY(!QFileInfo::exists(path));
+}
+
+void TestMakeMovie::saysWhereFfmpegIsNot()
+{
+    openScene(walkScene(), QStringLiteral("walk.crowd"));
+    qputenv("CROWDBRUSH_FFMPEG", "/nonexistent/ffmpeg");
+    QVERIFY(make(pathOf(QStringLiteral("walk.gif")), [](QDialog& dialog) {
+        dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieTo"))->setValue(0.1);
+    }));
+    QString said;
+    const DialogAnswer warning([&said](QDialog& dialog) {
+        const auto* box = qobject_cast<QMessageBox*>(&dialog);
+        said = box != nullptr ? box->text() : QString();
+        dialog.accept();
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(warning.hasAnswered(), kPatienceMs);
+    QVERIFY2(said.contains(QStringLiteral("ffmpeg")), qPrintable(said));
+    QVERIFY(!QFileInfo::exists(pathOf(QStringLiteral("walk.gif"))));
+}
+
+CROWD_WINDOW_TEST(TestMakeMovie)
+#include "tst_MakeMovie.moc"
