@@ -31,6 +31,7 @@ namespace {
 
 constexpr int kLightIdRole = Qt::UserRole;
 constexpr int kLightRows = 6;
+constexpr int kButtonGap = 1; ///< pixels: the panel is to be narrow
 
 std::string iconOf(std::size_t kind)
 {
@@ -73,6 +74,7 @@ QWidget* LightDock::makeButtons()
     auto* row = new QWidget(this);
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(kButtonGap);
     const auto add = [&](const char* icon, const QString& tip, const char* name, auto act) {
         QToolButton* button = panelButton(row, icon, tip, name);
         connect(button, &QToolButton::clicked, this, act);
