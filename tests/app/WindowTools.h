@@ -2,13 +2,17 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include <QtCore/QPointer>
 #include <QtCore/QTimer>
 #include <QtTest/QTest>
 #include <QtWidgets/QAbstractButton>
+#include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QDialog>
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QMessageBox>
 
 /// Help for tests of the real window: answering the dialogs it opens.
@@ -80,6 +84,43 @@ inline std::function<void(QDialog&)> pressing(const QString& text)
         }
         dialog.reject();
     };
+}
+
+/// Types a path into the dialog that asks for a file; another dialog is dismissed.
+inline std::function<void(QDialog&)> choosing(const QString& path)
+{
+    return [path](QDialog& dialog) {
+        auto* files = qobject_cast<QFileDialog*>(&dialog);
+        auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+        if (files == nullptr || name == nullptr) {
+            dialog.reject();
+            return;
+        }
+        for (auto* view : dialog.findChildren<QAbstractItemView*>()) {
+            view->clearSelection(); // else the file it offers is taken
+        }
+        name->setText(path);
+        QTest::keyClick(name, Qt::Key_Return);
+    };
+}
+
+/// A dialog of ours, which is accepted, and the file dialog that follows it. False: that did not
+/// come. `trigger` opens the first.
+inline bool answerBoth(const std::function<void()>& trigger,
+                       const std::function<void(QDialog&)>& choose, const QString& path)
+{
+    bool isFileDialog = false;
+    std::unique_ptr<DialogAnswer> file;
+    const DialogAnswer dialog([&](QDialog& shown) {
+        choose(shown);
+        file = std::make_unique<DialogAnswer>([&](QDialog& chooser) {
+            isFileDialog = chooser.inherits("QFileDialog");
+            choosing(path)(chooser);
+        });
+        shown.accept();
+    });
+    trigger();
+    return isFileDialog;
 }
 
 } // namespace crowd::testing

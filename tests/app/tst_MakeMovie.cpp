@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <memory>
+#include <cmath>
+#include <functional>
 
 #include <QtGui/QAction>
 #include <QtTest/QTest>
-#include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QLabel>
-#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QProgressDialog>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QSpinBox>
@@ -63,29 +62,14 @@ private:
 
 bool TestMakeMovie::make(const QString& path, const std::function<void(QDialog&)>& choose)
 {
-    bool hasChosenFile = false;
-    std::unique_ptr<DialogAnswer> file;
-    const DialogAnswer dialog([&](QDialog& shown) {
-        shown.findChild<QSpinBox*>(QStringLiteral("pictureWidth"))->setValue(kWidth);
-        shown.findChild<QSpinBox*>(QStringLiteral("pictureHeight"))->setValue(kHeight);
-        choose(shown);
-        file = std::make_unique<DialogAnswer>([&](QDialog& chooser) {
-            auto* name = chooser.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-            hasChosenFile = name != nullptr;
-            if (name == nullptr) {
-                chooser.reject();
-                return;
-            }
-            for (auto* view : chooser.findChildren<QAbstractItemView*>()) {
-                view->clearSelection(); // else the file it offers is taken
-            }
-            name->setText(path);
-            QTest::keyClick(name, Qt::Key_Return);
-        });
-        shown.accept();
-    });
-    m_window->actions().action("make-movie")->trigger();
-    return hasChosenFile;
+    return answerBoth(
+        [this] { m_window->actions().action("make-movie")->trigger(); },
+        [&choose](QDialog& shown) {
+            shown.findChild<QSpinBox*>(QStringLiteral("pictureWidth"))->setValue(kWidth);
+            shown.findChild<QSpinBox*>(QStringLiteral("pictureHeight"))->setValue(kHeight);
+            choose(shown);
+        },
+        path);
 }
 
 void TestMakeMovie::ofTheSceneFromItsBeginning()

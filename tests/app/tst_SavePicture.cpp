@@ -4,11 +4,9 @@
 
 #include <QtGui/QImage>
 #include <QtTest/QTest>
-#include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDoubleSpinBox>
-#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QSpinBox>
 
 #include <glm/geometric.hpp>
@@ -41,33 +39,18 @@ private:
 
 bool TestSavePicture::save(const QString& path, const QSize& size, bool isTransparent)
 {
-    bool hasChosenFile = false;
-    std::unique_ptr<DialogAnswer> file;
-    const DialogAnswer dialog([&](QDialog& shown) {
-        shown.findChild<QSpinBox*>(QStringLiteral("pictureWidth"))->setValue(size.width());
-        shown.findChild<QSpinBox*>(QStringLiteral("pictureHeight"))->setValue(size.height());
-        shown.findChild<QCheckBox*>(QStringLiteral("pictureTransparent"))
-            ->setChecked(isTransparent);
-        if (m_onDialog) {
-            m_onDialog(shown);
-        }
-        file = std::make_unique<DialogAnswer>([&](QDialog& chooser) {
-            auto* name = chooser.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-            hasChosenFile = name != nullptr;
-            if (name == nullptr) {
-                chooser.reject();
-                return;
+    return answerBoth(
+        [this] { m_window->actions().action("save-picture")->trigger(); },
+        [&](QDialog& shown) {
+            shown.findChild<QSpinBox*>(QStringLiteral("pictureWidth"))->setValue(size.width());
+            shown.findChild<QSpinBox*>(QStringLiteral("pictureHeight"))->setValue(size.height());
+            shown.findChild<QCheckBox*>(QStringLiteral("pictureTransparent"))
+                ->setChecked(isTransparent);
+            if (m_onDialog) {
+                m_onDialog(shown);
             }
-            for (auto* view : chooser.findChildren<QAbstractItemView*>()) {
-                view->clearSelection(); // else the file it offers is taken
-            }
-            name->setText(path);
-            QTest::keyClick(name, Qt::Key_Return);
-        });
-        shown.accept();
-    });
-    m_window->actions().action("save-picture")->trigger();
-    return hasChosenFile;
+        },
+        path);
 }
 
 void TestSavePicture::savesTheViewInAnySize()

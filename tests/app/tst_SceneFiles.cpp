@@ -5,10 +5,7 @@
 #include <QtCore/QRegularExpression>
 #include <QtCore/QTranslator>
 #include <QtTest/QTest>
-#include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QApplication>
-#include <QtWidgets/QFileDialog>
-#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QTreeWidget>
 
@@ -23,24 +20,6 @@ using namespace crowd;
 using namespace crowd::testing;
 
 namespace {
-
-/// Types a path into the dialog that asks for a file.
-std::function<void(QDialog&)> choosing(const QString& path)
-{
-    return [path](QDialog& dialog) {
-        auto* files = qobject_cast<QFileDialog*>(&dialog);
-        auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-        if (files == nullptr || name == nullptr) {
-            dialog.reject();
-            return;
-        }
-        for (auto* view : dialog.findChildren<QAbstractItemView*>()) {
-            view->clearSelection(); // else the file it offers is taken
-        }
-        name->setText(path);
-        QTest::keyClick(name, Qt::Key_Return);
-    };
-}
 
 /// A template whose file is not there.
 void addMissing(model::Scene& scene, model::TemplateId id, const QString& name, const QString& path)
