@@ -292,15 +292,6 @@ void SessionPlayer::pose(model::CrowdFrame& frame) const
     }
 }
 
-std::vector<model::IndividualId> SessionPlayer::lit() const
-{
-    if (!m_run) {
-        return {};
-    }
-    const std::scoped_lock lock(m_run->mutex);
-    return m_run->poses.back()->lit;
-}
-
 SessionPlayer::Report SessionPlayer::report() const
 {
     if (!m_run) {

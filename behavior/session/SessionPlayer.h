@@ -61,8 +61,6 @@ public:
     void pose(model::CrowdFrame& frame) const;
     /// Of the step that is shown at a time; null before the first one.
     [[nodiscard]] SessionPosePtr poseAt(double seconds) const;
-    /// For whom a rule fired shortly before the last step.
-    [[nodiscard]] std::vector<model::IndividualId> lit() const;
     [[nodiscard]] Report report() const;
     /// People are counted once more, before the next step; `published` tells when that is done.
     void askTally();

@@ -90,7 +90,7 @@ void SessionPlayerTest::editsWhileItRuns()
         player.adopt(scene, i % 3 == 0);
         player.send("run", 0.0F, {static_cast<model::IndividualId>(1000 + i)});
         QVERIFY(lookAt(player, scene, i / 30.0));
-        (void)player.lit();
+        (void)player.poseAt(i / 30.0)->lit.size();
         heard += player.takeLog().size();
     }
     QTRY_VERIFY_WITH_TIMEOUT(player.available() >= 39 / 30.0 - 1e-6, 60000);
