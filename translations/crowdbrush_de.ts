@@ -5436,6 +5436,10 @@
         <source>The movie was cancelled.</source>
         <translation>Der Film wurde abgebrochen.</translation>
     </message>
+    <message>
+        <source>What was played at %1 s is not known any more. Play it again, or begin the movie later.</source>
+        <translation>Was bei %1 s abgespielt wurde, ist nicht mehr bekannt. Spielen Sie es noch einmal ab, oder beginnen Sie den Film später.</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>

@@ -5436,6 +5436,10 @@
         <source>The movie was cancelled.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>What was played at %1 s is not known any more. Play it again, or begin the movie later.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>

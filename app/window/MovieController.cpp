@@ -44,6 +44,11 @@ struct MovieJob
     }
 };
 
+model::Error stopped()
+{
+    return model::Error{QT_TRANSLATE_NOOP("Messages", "The movie was cancelled.")};
+}
+
 /// People at one time after the other.
 class MovieFrames
 {
@@ -57,33 +62,43 @@ public:
         }
     }
 
-    /// Null: it was stopped.
-    [[nodiscard]] model::CrowdFramePtr at(double seconds, const model::KeepGoing& keepGoing)
+    [[nodiscard]] model::Result<model::CrowdFramePtr> at(double seconds,
+                                                         const model::KeepGoing& keepGoing)
     {
-        if (m_motion) {
-            std::atomic<bool> isOver{false};
-            return m_motion->at(seconds, &isOver,
-                                [&](double) { isOver = isOver || !keepGoing(0.0); });
-        }
-        auto frame = std::make_shared<model::CrowdFrame>(*m_job.shown);
-        frame->seconds = seconds;
-        const auto [before, after] = m_reader->around(seconds);
-        if (before) {
-            behavior::applyPose(*before, *after, *frame);
-        }
-        return frame;
+        return m_motion ? ofScene(seconds, keepGoing) : ofRun(seconds);
     }
 
 private:
+    [[nodiscard]] model::Result<model::CrowdFramePtr> ofScene(double seconds,
+                                                              const model::KeepGoing& keepGoing)
+    {
+        std::atomic<bool> isOver{false};
+        auto frame =
+            m_motion->at(seconds, &isOver, [&](double) { isOver = isOver || !keepGoing(0.0); });
+        if (!frame) {
+            return stopped();
+        }
+        return frame;
+    }
+    [[nodiscard]] model::Result<model::CrowdFramePtr> ofRun(double seconds)
+    {
+        const auto [before, after] = m_reader->around(seconds);
+        if (!before) {
+            return model::Error{
+                QT_TRANSLATE_NOOP("Messages", "What was played at %1 s is not known any more. Play "
+                                              "it again, or begin the movie later."),
+                seconds};
+        }
+        auto frame = std::make_shared<model::CrowdFrame>(*m_job.shown);
+        frame->seconds = seconds;
+        behavior::applyPose(*before, *after, *frame);
+        return model::CrowdFramePtr(std::move(frame));
+    }
+
     const MovieJob& m_job;
     std::unique_ptr<behavior::MotionReader> m_reader;
     std::unique_ptr<behavior::SceneMotion> m_motion;
 };
-
-model::Error stopped()
-{
-    return model::Error{QT_TRANSLATE_NOOP("Messages", "The movie was cancelled.")};
-}
 
 model::Result<void> drawMovie(const MovieJob& job, const widgets::TaskReport& report)
 {
@@ -103,10 +118,14 @@ model::Result<void> drawMovie(const MovieJob& job, const widgets::TaskReport& re
         const float share = static_cast<float>(i) / static_cast<float>(pictures);
         const auto keepGoing = [&](double) { return report(job.title, share); };
         const auto frame = frames.at(job.span.from + i / job.framesPerSecond, keepGoing);
-        if (!frame || !keepGoing(0.0)) {
+        if (!frame) {
+            return frame.error();
+        }
+        if (!keepGoing(0.0)) {
             return stopped();
         }
-        if (auto drawn = maker.value()->draw(picture.ask(job.scene, frame), keepGoing); !drawn) {
+        const PictureRequest& request = picture.ask(job.scene, frame.value());
+        if (auto drawn = maker.value()->draw(request, keepGoing); !drawn) {
             return drawn;
         }
         if (auto added = movie.value()->add(maker.value()->pixels()); !added) {
