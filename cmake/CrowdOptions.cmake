@@ -13,7 +13,10 @@ endif()
 # Every program holds most of the rooms: mold links one in a second, the usual linker in many.
 find_program(CROWD_MOLD mold)
 if(CROWD_MOLD)
-    add_link_options(-fuse-ld=mold)
+    # Without RELRO: where only zeroed thread-local variables come before a page's first section, mold
+    # 1.10 begins that segment in the page before, which nobody maps, and the program does not start
+    # ("cannot apply additional memory protection after relocation").
+    add_link_options(-fuse-ld=mold -Wl,-z,norelro)
 endif()
 
 add_library(crowd_options INTERFACE)
