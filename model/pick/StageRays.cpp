@@ -2,9 +2,12 @@
 #include "model/pick/StageRays.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include <embree3/rtcore.h>
+#include <glm/geometric.hpp>
 
 namespace crowd::model {
 
@@ -14,6 +17,9 @@ namespace {
 constexpr float kGrazingMetres = 0.03F;
 constexpr float kStepPastSurface = 1.0e-3F;
 constexpr int kMaxSurfacesBelow = 8;
+/// By how much two ways of computing a distance may differ.
+constexpr double kSlackMetres = 1.0e-3;
+constexpr double kSlack = 1.0e-3;
 
 /// Hits differ between instruction sets in their last bits: one is pinned. A single thread builds
 /// the tree, so that it is the same each time.
@@ -66,6 +72,24 @@ void passBackFaces(const RTCFilterFunctionNArguments* arguments)
     }
 }
 
+/// Which triangle is met is Embree's to say, where from its plane: the library takes the processor's
+/// approximation of 1/x, whose last bits differ between makes. `about`: the library's distance, for
+/// triangles that are seen from their edge.
+SurfaceHit met(const Ray& ray, const std::array<glm::dvec3, 3>& corners, float about)
+{
+    const glm::dvec3 origin(ray.origin);
+    const glm::dvec3 direction(ray.direction);
+    const glm::dvec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double length = glm::length(across);
+    const double along = glm::dot(across, direction);
+    const double distance = glm::dot(across, corners[0] - origin) / along;
+    const bool isSharp = std::abs(distance - about) <= kSlackMetres + kSlack * about;
+    const double way = isSharp ? distance : about;
+    const glm::dvec3 normal = length > 0.0 ? across / length : glm::dvec3(0.0, 1.0, 0.0);
+    return {glm::vec3(origin + direction * way), glm::vec3(along > 0.0 ? -normal : normal),
+            static_cast<float>(way), false};
+}
+
 std::optional<SurfaceHit> groundHit(const Ray& ray, float maxDistance)
 {
     if (ray.origin.y <= 0.0F || ray.direction.y >= 0.0F) {
@@ -93,6 +117,7 @@ struct StageRays::Private
     void rebuild();
     void addMesh(const StageMesh& mesh, bool isTwoSided, const glm::mat4& worldFromStage);
     [[nodiscard]] std::optional<SurfaceHit> stageHit(const Ray& ray, float from, float to) const;
+    [[nodiscard]] std::array<glm::dvec3, 3> corners(const RTCHit& hit) const;
 };
 
 void StageRays::Private::addMesh(const StageMesh& mesh, bool isTwoSided,
@@ -148,6 +173,20 @@ void StageRays::Private::rebuild()
     ++version;
 }
 
+std::array<glm::dvec3, 3> StageRays::Private::corners(const RTCHit& hit) const
+{
+    RTCGeometry geometry = rtcGetGeometry(scene, hit.geomID);
+    const auto* vertices = static_cast<const glm::vec3*>(
+        rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_VERTEX, 0));
+    const auto* indices = static_cast<const std::uint32_t*>(
+        rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_INDEX, 0));
+    std::array<glm::dvec3, 3> corners{};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        corners[i] = vertices[indices[std::size_t{3} * hit.primID + i]];
+    }
+    return corners;
+}
+
 std::optional<SurfaceHit> StageRays::Private::stageHit(const Ray& ray, float from, float to) const
 {
     RTCRayHit query{};
@@ -159,13 +198,7 @@ std::optional<SurfaceHit> StageRays::Private::stageHit(const Ray& ray, float fro
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
         return std::nullopt;
     }
-    glm::vec3 normal(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
-    const float length = glm::length(normal);
-    normal = length > 0.0F ? normal / length : glm::vec3(0.0F, 1.0F, 0.0F);
-    if (glm::dot(normal, ray.direction) > 0.0F) {
-        normal = -normal;
-    }
-    return SurfaceHit{ray.origin + ray.direction * query.ray.tfar, normal, query.ray.tfar, false};
+    return met(ray, corners(query.hit), query.ray.tfar);
 }
 
 StageRays::StageRays() : m_private(std::make_unique<Private>())

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Recordings that must stay as they are, byte for byte, while the program is rebuilt (those of
-strokes over stages but for the last digits, see WITHIN).
+"""Recordings that must stay as they are, byte for byte, while the program is rebuilt.
 
 `crowdbrush script tests/golden/golden.py` compares; with `--write` it writes them anew, which is right
 only where a change is wanted and somebody has looked at what it changes.
@@ -15,7 +14,6 @@ files/     project files that open and are saved as the same bytes.
 import argparse
 import difflib
 import pathlib
-import re
 import runpy
 import sys
 import tempfile
@@ -30,10 +28,6 @@ import sessions  # noqa: E402  (beside this file)
 import strokes  # noqa: E402
 
 SHOWN_LINES = 12
-# What a ray hits of a stage is found with the processor's own approximation of 1/x, whose last bits
-# differ between makes: directions that were painted over stages follow.
-WITHIN = {"window": 1e-5}
-NUMBER = re.compile(r"-?\d+\.\d+(?:e-?\d+)?")
 
 
 def differences(name, before, now):
@@ -41,16 +35,6 @@ def differences(name, before, now):
     lines = difflib.unified_diff(before.splitlines(), now.splitlines(), "golden", "now",
                                  lineterm="", n=0)
     return [f"{name} differs:"] + [f"  {line[:160]}" for line, _ in zip(lines, range(SHOWN_LINES))]
-
-
-def are_same(before, now, within):
-    """But for the last digits of numbers, where there is such a limit."""
-    if before == now or within == 0.0:
-        return before == now
-    numbers, others = (list(map(float, NUMBER.findall(text))) for text in (before, now))
-    return (NUMBER.sub("0", before) == NUMBER.sub("0", now) and
-            all(abs(one - other) <= within * max(1.0, abs(one))
-                for one, other in zip(numbers, others)))
 
 
 def check(path, now, writes):
@@ -62,8 +46,7 @@ def check(path, now, writes):
     if not path.exists():
         return [f"{path.relative_to(HERE)} is missing: run this with --write"]
     before = path.read_bytes().decode("utf-8")
-    is_same = are_same(before, now, WITHIN.get(path.parent.name, 0.0))
-    return [] if is_same else differences(path.relative_to(HERE), before, now)
+    return [] if before == now else differences(path.relative_to(HERE), before, now)
 
 
 def saved(scene):

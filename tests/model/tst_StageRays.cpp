@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <memory>
 
 #include <QtTest/QTest>
@@ -41,6 +42,7 @@ private Q_SLOTS:
     void aWallIsThereFromInFront();
     void fromBehindItIsLookedThrough();
     void whatHasTwoSidesIsThereFromBoth();
+    void whatIsMetLiesInTheTriangle();
 };
 
 void TestStageRays::aWallIsThereFromInFront()
@@ -50,6 +52,24 @@ void TestStageRays::aWallIsThereFromInFront()
     const auto hit = rays.hit({{0.0F, 2.0F, 5.0F}, {0.0F, 0.0F, -1.0F}});
     QVERIFY(hit && !hit->isGround && hit->distance > 4.99F && hit->normal.z > 0.99F);
     QVERIFY(rays.isBlocked({0.0F, 2.0F, 5.0F}, {0.0F, 2.0F, -5.0F}));
+}
+
+/// To the last digit, on every processor: from far away, and nearly along it.
+void TestStageRays::whatIsMetLiesInTheTriangle()
+{
+    StageRays rays;
+    auto stages = wall(false);
+    stages.front().headingRadians = 0.7F;
+    rays.setStages(stages);
+    const glm::dvec3 normal(std::sin(0.7), 0.0, std::cos(0.7));
+    for (const glm::vec3& from : {glm::vec3(40.0F, 30.0F, 35.0F), glm::vec3(900.0F, 2.0F, 1000.0F),
+                                  glm::vec3(10.0F, 2.0F, -7.5F)}) {
+        const glm::vec3 to(0.3F, 1.7F, -0.2F);
+        const auto hit = rays.hit({from, glm::normalize(to - from)});
+        QVERIFY(hit && !hit->isGround);
+        QVERIFY(std::abs(glm::dot(normal, glm::dvec3(hit->point))) < 1.0e-6);
+        QVERIFY(glm::distance(glm::vec3(normal), hit->normal) < 1.0e-6F);
+    }
 }
 
 /// The camera has gone through it: it is not drawn from there.
