@@ -963,6 +963,46 @@
         <source>Write what has been played, or the scene, as a movie</source>
         <translation>Was abgespielt wurde, oder die Szene, als Film schreiben</translation>
     </message>
+    <message>
+        <source>R&amp;ecord into the Timeline</source>
+        <translation>In die Zeitleiste auf&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>Cues, states and events become marks as they are performed</source>
+        <translation>Stichwörter, Zustände und Ereignisse werden zu Zeitmarken, wenn sie gegeben werden</translation>
+    </message>
+    <message>
+        <source>Add &amp;Marker</source>
+        <translation>Zeit&amp;punkt merken</translation>
+    </message>
+    <message>
+        <source>A marker in the timeline at this moment</source>
+        <translation>Eine Zeitmarke in der Zeitleiste für diesen Augenblick</translation>
+    </message>
+    <message>
+        <source>Former Mar&amp;k</source>
+        <translation>&amp;Vorige Zeitmarke</translation>
+    </message>
+    <message>
+        <source>Show the moment of the mark before this one</source>
+        <translation>Den Augenblick der Zeitmarke vor diesem zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Next Mark</source>
+        <translation>Nä&amp;chste Zeitmarke</translation>
+    </message>
+    <message>
+        <source>Show the moment of the mark after this one</source>
+        <translation>Den Augenblick der Zeitmarke nach diesem zeigen</translation>
+    </message>
+    <message>
+        <source>Time&amp;line</source>
+        <translation>&amp;Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Show the panel of what happens when while it plays</source>
+        <translation>Das Bedienfeld zeigen, in dem steht, was wann geschieht, während es läuft</translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -3596,6 +3636,66 @@
         <source>Width</source>
         <translation>Breite</translation>
     </message>
+    <message>
+        <source>nothing: a marker</source>
+        <translation>nichts: ein Merkpunkt</translation>
+    </message>
+    <message>
+        <source>A name for a moment</source>
+        <translation>Ein Name für einen Augenblick</translation>
+    </message>
+    <message>
+        <source>call a cue</source>
+        <translation>ein Stichwort geben</translation>
+    </message>
+    <message>
+        <source>What the cue sends, and the state it recalls</source>
+        <translation>Was das Stichwort sendet, und der Zustand, den es abruft</translation>
+    </message>
+    <message>
+        <source>recall a state</source>
+        <translation>einen Zustand abrufen</translation>
+    </message>
+    <message>
+        <source>In the run alone: the scene stays as it is</source>
+        <translation>Nur in diesem Lauf: die Szene bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>send an event</source>
+        <translation>ein Ereignis senden</translation>
+    </message>
+    <message>
+        <source>Rules answer it</source>
+        <translation>Regeln antworten darauf</translation>
+    </message>
+    <message>
+        <source>Without one it is called after what happens</source>
+        <translation>Ohne Namen heißt sie nach dem, was geschieht</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Bei</translation>
+    </message>
+    <message>
+        <source>When it happens, by the clock</source>
+        <translation>Wann es geschieht, nach der Uhr</translation>
+    </message>
+    <message>
+        <source>Then</source>
+        <translation>Dann</translation>
+    </message>
+    <message>
+        <source>Cue</source>
+        <translation>Stichwort</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keines</translation>
+    </message>
+    <message>
+        <source>That comes along: rules ask for it</source>
+        <translation>Die mitkommt: Regeln fragen danach</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -5439,6 +5539,18 @@
     <message>
         <source>What was played at %1 s is not known any more. Play it again, or begin the movie later.</source>
         <translation>Was bei %1 s abgespielt wurde, ist nicht mehr bekannt. Spielen Sie es noch einmal ab, oder beginnen Sie den Film später.</translation>
+    </message>
+    <message>
+        <source>At %1 seconds the timeline recalls a state that is not there. Choose another one for that mark.</source>
+        <translation>Bei %1 Sekunden ruft die Zeitleiste einen Zustand ab, den es nicht gibt. Wählen Sie für diese Zeitmarke einen anderen.</translation>
+    </message>
+    <message>
+        <source>At %1 seconds the timeline calls the cue “%2”, which speaks to the selected: the mark names nobody. Let the cue reach everybody, or a tag.</source>
+        <translation>Bei %1 Sekunden gibt die Zeitleiste das Stichwort „%2“, das den Ausgewählten gilt: die Zeitmarke nennt niemanden. Lassen Sie das Stichwort allen gelten oder einer Marke.</translation>
+    </message>
+    <message>
+        <source>At %1 seconds the timeline calls a cue that is not there. Choose another one for that mark.</source>
+        <translation>Bei %1 Sekunden gibt die Zeitleiste ein Stichwort, das es nicht gibt. Wählen Sie für diese Zeitmarke ein anderes.</translation>
     </message>
 </context>
 <context>
@@ -7722,6 +7834,88 @@
     <message>
         <source>1/%1 s, Finer</source>
         <translation>1/%1 s, feiner</translation>
+    </message>
+</context>
+<context>
+    <name>Timeline</name>
+    <message>
+        <source>Markers</source>
+        <translation>Merkpunkte</translation>
+    </message>
+    <message>
+        <source>Add a Marker Here</source>
+        <translation>Hier einen Merkpunkt setzen</translation>
+    </message>
+    <message>
+        <source>Cues</source>
+        <translation>Stichwörter</translation>
+    </message>
+    <message>
+        <source>Call a Cue Here</source>
+        <translation>Hier ein Stichwort geben</translation>
+    </message>
+    <message>
+        <source>States</source>
+        <translation>Zustände</translation>
+    </message>
+    <message>
+        <source>Recall a State Here</source>
+        <translation>Hier einen Zustand abrufen</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Send an Event Here</source>
+        <translation>Hier ein Ereignis senden</translation>
+    </message>
+</context>
+<context>
+    <name>TimelineCommands</name>
+    <message>
+        <source>The scene has no cues yet: the panel Rules makes them.</source>
+        <translation>Die Szene hat noch keine Stichwörter: das Bedienfeld Regeln macht sie.</translation>
+    </message>
+    <message>
+        <source>The scene has no states yet: the panel States keeps them.</source>
+        <translation>Die Szene hat noch keine Zustände: das Bedienfeld Zustände hält sie fest.</translation>
+    </message>
+    <message>
+        <source>A timeline has at most %1 marks: remove some first.</source>
+        <translation>Eine Zeitleiste hat höchstens %1 Zeitmarken: entfernen Sie erst welche.</translation>
+    </message>
+    <message>
+        <source>Add a mark</source>
+        <translation>Zeitmarke setzen</translation>
+    </message>
+    <message>
+        <source>Marked at %1 s</source>
+        <translation>Gemerkt bei %1 s</translation>
+    </message>
+    <message>
+        <source>Remove marks</source>
+        <translation>Zeitmarken entfernen</translation>
+    </message>
+    <message>
+        <source>Move marks</source>
+        <translation>Zeitmarken verschieben</translation>
+    </message>
+    <message>
+        <source>Copy marks</source>
+        <translation>Zeitmarken kopieren</translation>
+    </message>
+    <message>
+        <source>There is no mark after this moment.</source>
+        <translation>Nach diesem Augenblick kommt keine Zeitmarke.</translation>
+    </message>
+    <message>
+        <source>There is no mark before this moment.</source>
+        <translation>Vor diesem Augenblick liegt keine Zeitmarke.</translation>
+    </message>
+    <message>
+        <source>It has been played up to %1 s: play on to see more.</source>
+        <translation>Gespielt ist es bis %1 s: spielen Sie weiter, um mehr zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -10409,6 +10603,13 @@ Verworfen ist sie fort.</translation>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::MarkRecorder</name>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::MissingAssetsDialog</name>
     <message>
         <source>Missing Assets</source>
@@ -11416,6 +11617,102 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Clips…</source>
         <translation>Clips …</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::TimelineDock</name>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Record: cues, states and events become marks of the timeline as they are performed while it plays</source>
+        <translation>Aufnehmen: Stichwörter, Zustände und Ereignisse werden zu Zeitmarken, wenn sie gegeben werden, während es läuft</translation>
+    </message>
+    <message>
+        <source>The mark before this moment</source>
+        <translation>Die Zeitmarke vor diesem Augenblick</translation>
+    </message>
+    <message>
+        <source>The mark after this moment</source>
+        <translation>Die Zeitmarke nach diesem Augenblick</translation>
+    </message>
+    <message>
+        <source>A marker at this moment</source>
+        <translation>Ein Merkpunkt für diesen Augenblick</translation>
+    </message>
+    <message>
+        <source>Remove the chosen marks</source>
+        <translation>Die gewählten Zeitmarken entfernen</translation>
+    </message>
+    <message>
+        <source>Show all marks, and all that has been played</source>
+        <translation>Alle Zeitmarken zeigen, und alles, was gespielt worden ist</translation>
+    </message>
+    <message>
+        <source>What times are shown in, and caught by when marks are dragged</source>
+        <translation>Worin Zeiten gezeigt werden, und worauf gezogene Zeitmarken einrasten</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Sekunden</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 Bilder/s</translation>
+    </message>
+    <message>
+        <source>Choose a mark to see what happens there.</source>
+        <translation>Wählen Sie eine Zeitmarke, um zu sehen, was dort geschieht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marks are chosen: drag them, or remove them.</source>
+        <translation>
+            <numerusform>%n Zeitmarke ist gewählt: ziehen oder entfernen Sie sie.</numerusform>
+            <numerusform>%n Zeitmarken sind gewählt: ziehen oder entfernen Sie sie.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>For %n characters, as it was recorded.</source>
+        <translation>
+            <numerusform>Für %n Figur, wie es aufgenommen wurde.</numerusform>
+            <numerusform>Für %n Figuren, wie es aufgenommen wurde.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change a mark</source>
+        <translation>Zeitmarke ändern</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::TimelineView</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1, at %2 s</source>
+        <translation>%1, bei %2 s</translation>
+    </message>
+    <message>
+        <source>Show This Moment</source>
+        <translation>Diesen Augenblick zeigen</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Verdoppeln</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Show All</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>Double click in a lane: what is to happen then. Or record: cues that are pressed, states that are recalled and events that are painted while it plays come here.</source>
+        <translation>Doppelklick in eine Spur: was dann geschehen soll. Oder aufnehmen: Stichwörter, Zustände und Ereignisse, die gegeben werden, während es läuft, kommen hierher.</translation>
     </message>
 </context>
 <context>

@@ -963,6 +963,46 @@
         <source>Write what has been played, or the scene, as a movie</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>R&amp;ecord into the Timeline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cues, states and events become marks as they are performed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add &amp;Marker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A marker in the timeline at this moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Former Mar&amp;k</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the moment of the mark before this one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Next Mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the moment of the mark after this one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time&amp;line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the panel of what happens when while it plays</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -3596,6 +3636,66 @@
         <source>Width</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>nothing: a marker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A name for a moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>call a cue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the cue sends, and the state it recalls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recall a state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the run alone: the scene stays as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>send an event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rules answer it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without one it is called after what happens</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When it happens, by the clock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That comes along: rules ask for it</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -5438,6 +5538,18 @@
     </message>
     <message>
         <source>What was played at %1 s is not known any more. Play it again, or begin the movie later.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At %1 seconds the timeline recalls a state that is not there. Choose another one for that mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At %1 seconds the timeline calls the cue “%2”, which speaks to the selected: the mark names nobody. Let the cue reach everybody, or a tag.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At %1 seconds the timeline calls a cue that is not there. Choose another one for that mark.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7721,6 +7833,88 @@
     </message>
     <message>
         <source>1/%1 s, Finer</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Timeline</name>
+    <message>
+        <source>Markers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a Marker Here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cues</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Call a Cue Here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>States</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recall a State Here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send an Event Here</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>TimelineCommands</name>
+    <message>
+        <source>The scene has no cues yet: the panel Rules makes them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scene has no states yet: the panel States keeps them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A timeline has at most %1 marks: remove some first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marked at %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no mark after this moment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no mark before this moment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It has been played up to %1 s: play on to see more.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10402,6 +10596,13 @@ Thrown away, it is gone.</source>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::MarkRecorder</name>
+    <message>
+        <source>Record</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::MissingAssetsDialog</name>
     <message>
         <source>Missing Assets</source>
@@ -11408,6 +11609,102 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Clips…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::TimelineDock</name>
+    <message>
+        <source>Timeline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record: cues, states and events become marks of the timeline as they are performed while it plays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mark before this moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mark after this moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A marker at this moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the chosen marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all marks, and all that has been played</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What times are shown in, and caught by when marks are dragged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a mark to see what happens there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marks are chosen: drag them, or remove them.</source>
+        <translation>
+            <numerusform>%n mark is chosen: drag it, or remove it.</numerusform>
+            <numerusform>%n marks are chosen: drag them, or remove them.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>For %n characters, as it was recorded.</source>
+        <translation>
+            <numerusform>For %n character, as it was recorded.</numerusform>
+            <numerusform>For %n characters, as it was recorded.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change a mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::TimelineView</name>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, at %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show This Moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double click in a lane: what is to happen then. Or record: cues that are pressed, states that are recalled and events that are painted while it plays come here.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1544,6 +1544,13 @@ class Scene:
     def looks(self, value: List[Look]) -> None:
         ...
     @property
+    def timeline(self) -> List[Mark]:
+        """A new list of Mark, as the environment has them, by name too; setting it is a step of
+        undo."""
+    @timeline.setter
+    def timeline(self, value: List[Mark]) -> None:
+        ...
+    @property
     def rules(self) -> List[Rule]:
         """A new list of Rule, as the environment has them, by name too; setting it is a step of
         undo."""
@@ -2826,6 +2833,42 @@ class Look(Entry):
     """of outlines; 0: none; 0 to 20 px; begins as 2.0"""
     outline: str
     """of outlines; begins as '#141218'"""
+
+
+class Mark(Entry):
+    """A moment of the timeline, and what happens then."""
+    def __init__(self, *, id: int, name: str = ..., seconds: float = ..., kind: Literal["marker", "cue", "state", "event"] = ..., cue: Union[int, Cue] = ..., state: int = ..., fade: float = ..., spread: float = ..., order: Literal["distance", "heading", "row", "wedge", "random"] = ..., point: Sequence[float] = ..., heading: float = ..., event: str = ..., payload: float = ..., people: Sequence[Any] = ...) -> None:
+        ...
+    id: int
+    """of no other mark of the scene; must be given"""
+    name: str
+    """as the editor shows it"""
+    seconds: float
+    """when it happens, by the clock; 0 to 604800 s; begins as 0.0"""
+    kind: Literal["marker", "cue", "state", "event"]
+    """what happens; begins as 'marker'"""
+    cue: int
+    """id of the cue that is called, of `cue`; begins as 0"""
+    state: int
+    """id of the state that people take on, of `state`; begins as 0"""
+    fade: float
+    """that each takes to take it on; 0 to 600 s; begins as 0.0"""
+    spread: float
+    """from the first who begins to the last; 0 to 600 s; begins as 0.0"""
+    order: Literal["distance", "heading", "row", "wedge", "random"]
+    """who begins when; begins as 'distance'"""
+    point: List[float]
+    """metres, where "distance" begins"""
+    heading: float
+    """radians, in which "heading" moves on; also of what a cue recalls; -1e6 to 1e6 rad; begins
+    as 0.0"""
+    event: str
+    """that people hear, of `event`"""
+    payload: float
+    """the number that comes along; -1e6 to 1e6; begins as 0.0"""
+    people: List[int]
+    """ids of those whom it is for; empty: whomever the cue reaches, all of the state, everybody;
+    1 to 2.14748e9"""
 
 
 class Rule(Entry):

@@ -92,7 +92,7 @@ class _Field:
         return [_hex(each, 3, where) for each in _listed(value, where)]
 
     def _as_ids(self, value, where):
-        return sorted(_whole(_id_of(each), where, 1, 0xFFFF) for each in _listed(value, where))
+        return sorted(_whole(_id_of(each), where, max(1, int(self.low)), int(self.high)) for each in _listed(value, where))
 
     def _as_clips(self, value, where):
         if isinstance(value, str):

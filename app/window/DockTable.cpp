@@ -46,6 +46,8 @@ constexpr std::array<DockInfo, static_cast<std::size_t>(DockId::Count)> kDocks{{
     {DockId::Relations, &make<widgets::RelationsDock>, kRight, 0, 0, DockId::Features},
     {DockId::Light, &make<widgets::LightDock>, kRight, 0, 0, DockId::Groups},
     {DockId::Looks, &make<widgets::LooksDock>, kLeft, 0, 0, DockId::Presets},
+    {DockId::Timeline, &make<widgets::TimelineDock>, kBottom, 0, 0, DockId::Rules, false,
+     "timeline"},
     {DockId::Console, &makeConsole, kBottom, 0, 0, DockId::Rules, false},
 }};
 

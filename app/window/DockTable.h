@@ -40,6 +40,7 @@ enum class DockId : std::uint8_t {
     Relations,
     Light,
     Looks,
+    Timeline,
     Console,
     Count
 };

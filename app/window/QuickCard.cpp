@@ -90,7 +90,9 @@ constexpr std::array kCommands{"undo",
                                "select-related",
                                "group-selected",
                                "save-picture",
+                               "make-movie",
                                "rules",
+                               "timeline",
                                "keys"};
 
 void addCommands(CardList& list, const widgets::ActionRegistry& actions)

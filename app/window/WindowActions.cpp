@@ -12,6 +12,7 @@
 #include "app/window/MainWindow.h"
 #include "app/window/SelectActions.h"
 #include "app/window/StateKeys.h"
+#include "app/window/TimelineActions.h"
 #include "app/window/ViewMemory.h"
 #include "app/window/ViewSwitch.h"
 #include "widgets/commands/RelationCommands.h"
@@ -319,17 +320,30 @@ const WindowAction kPlayActions[] = {
       .isEnabled = [](MainWindow& w) { return w.state().session().isRunning(); }}},
 };
 
+template<DockId id>
+void showDock(MainWindow& w, bool on)
+{
+    QDockWidget* dock = w.dockLayout().dock(id);
+    dock->setVisible(on);
+    dock->raise();
+}
+
+template<DockId id>
+bool isDockShown(MainWindow& w)
+{
+    return !w.dockLayout().dock(id)->isHidden();
+}
+
 const WindowAction kPanelActions[] = {
     {{"rules", QT_TRANSLATE_NOOP("Actions", "&Rules and Cues"), "rules", "Ctrl+Shift+B",
       QT_TRANSLATE_NOOP("Actions", "Show the panel of what characters do when, and of its cues"),
       true},
-     [](MainWindow& w, bool on) {
-         QDockWidget* dock = w.dockLayout().dock(DockId::Rules);
-         dock->setVisible(on);
-         dock->raise();
-     },
-     {.inputs = ActionInput::Window,
-      .isChecked = [](MainWindow& w) { return !w.dockLayout().dock(DockId::Rules)->isHidden(); }}},
+     &showDock<DockId::Rules>,
+     {.inputs = ActionInput::Window, .isChecked = &isDockShown<DockId::Rules>}},
+    {{"timeline", QT_TRANSLATE_NOOP("Actions", "Time&line"), "timeline", "Ctrl+Shift+M",
+      QT_TRANSLATE_NOOP("Actions", "Show the panel of what happens when while it plays"), true},
+     &showDock<DockId::Timeline>,
+     {.inputs = ActionInput::Window, .isChecked = &isDockShown<DockId::Timeline>}},
 };
 
 const WindowAction kScriptActions[] = {
@@ -397,9 +411,11 @@ constexpr const char* kViewMenu[] = {
     "projection",      "",          "camera-add", "@cameras",   "@keep-cameras", "",
     "paths",           "walkable",  "tags",       "relations",  "ground-grid",   "shadows",
     "look-lit",        "@looks",    "",           "full-screen"};
-constexpr const char* kPlayMenu[] = {"play",      "step",   "step-back", "catch-up",     "stop",
-                                     "",          "faster", "slower",    "@step-length", "",
-                                     "keep-pose", "",       "rules"};
+constexpr const char* kPlayMenu[] = {
+    "play",      "step",   "step-back",       "catch-up",     "stop",
+    "",          "faster", "slower",          "@step-length", "",
+    "keep-pose", "",       "timeline-record", "mark-add",     "mark-back",
+    "mark-next", "",       "rules",           "timeline"};
 constexpr const char* kScriptMenu[] = {"console", "",           "script-record",
                                        "",        "script-run", "script-cancel"};
 constexpr const char* kWindowMenu[] = {"@docks", "", "hide-panels", "reset-layout"};
@@ -472,9 +488,9 @@ const std::vector<SubmenuSpec>& submenus()
 }
 
 constexpr const char* kToolBar[] = {
-    "new-theatre", "open",        "save",     "",          "undo", "redo", "",
-    "seat-grid",   "ground-grid", "look-lit", "frame-all", "",     "stop", "play",
-    "step",        "keep-pose",   "",         "rules"};
+    "new-theatre", "open",        "save",     "",          "undo",    "redo", "",
+    "seat-grid",   "ground-grid", "look-lit", "frame-all", "",        "stop", "play",
+    "step",        "keep-pose",   "",         "rules",     "timeline"};
 
 struct ToolAction
 {
@@ -514,10 +530,10 @@ void addTools(MainWindow& window)
 }
 
 /// In the order in which they are added.
-std::array<std::span<const WindowAction>, 8> actionTables()
+std::array<std::span<const WindowAction>, 9> actionTables()
 {
-    return {kFileActions, kEditActions,  selectActions(), kViewActions,
-            kPlayActions, kPanelActions, kScriptActions,  kOtherActions};
+    return {kFileActions,      kEditActions,  selectActions(), kViewActions, kPlayActions,
+            timelineActions(), kPanelActions, kScriptActions,  kOtherActions};
 }
 
 /// Of one that asks the window, one that asks this window.
@@ -554,6 +570,7 @@ void connectInputs(MainWindow& window)
     follow(&state, &widgets::EditorState::viewOptionsChanged, ActionInput::View);
     follow(&state.transport(), &widgets::Transport::stateChanged, ActionInput::Playback);
     follow(&state.session(), &widgets::SessionControl::stateChanged, ActionInput::Session);
+    follow(&state.session().recorder(), &widgets::MarkRecorder::changed, ActionInput::Session);
     follow(&window.interpreter(), &Interpreter::started, ActionInput::Script);
     follow(&window.interpreter(), &Interpreter::finished, ActionInput::Script);
     follow(&window.recorder(), &Recorder::recordingChanged, ActionInput::Recording);

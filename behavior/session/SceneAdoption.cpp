@@ -325,6 +325,9 @@ void adoptScene(SessionParts& parts, const model::Scene& scene, bool arePosesKep
 {
     parts.recalled.forgetEdited(parts.lastScene.population, scene.population);
     adoptPeople(parts, scene, parts.recalled.over(scene.population), arePosesKept);
+    if (parts.lastScene.timeline != scene.timeline) {
+        parts.marks.read(scene.timeline);
+    }
     parts.lastScene = scene;
 }
 

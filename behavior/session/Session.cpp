@@ -38,6 +38,7 @@ Session::Session(const model::Scene& scene, const SessionPlan& plan)
         assignPlanned(plan);
     }
     parts.adoptGroups(scene);
+    parts.marks.read(scene.timeline);
     parts.resetBodies(parts.population);
     parts.resetWalls();
     parts.rules.setStepsPerSecond(parts.clock.stepsPerSecond);
@@ -182,8 +183,23 @@ void Session::sendTagged(const std::string& event, float payload, std::uint8_t t
     send(event, payload, ids);
 }
 
+void Session::perform(const model::Mark& mark)
+{
+    m_parts->marks.forget(mark.id);
+    performMark(*this, *m_parts, mark);
+}
+
+/// What the timeline has come to.
+void Session::performDue()
+{
+    for (const model::Mark& mark : m_parts->marks.take(m_parts->clock.seconds())) {
+        performMark(*this, *m_parts, mark);
+    }
+}
+
 void Session::step()
 {
+    performDue();
     SessionParts& parts = *m_parts;
     parts.follower.steer(parts.crowd);
     tellRulesOfRecalls(parts);

@@ -56,6 +56,9 @@ public:
     void send(const std::string& event, float payload, const std::vector<model::IndividualId>& ids);
     /// To those who have a tag in this session.
     void sendTagged(const std::string& event, float payload, std::uint8_t tag);
+    /// What happens at a mark happens now, at the next step, whenever the mark is; the scene's mark
+    /// of that id does not do it again. The timeline's own marks do it by themselves.
+    void perform(const model::Mark& mark);
 
     /// Those whom the session moves, as of the last step.
     [[nodiscard]] SessionPosePtr pose() const;
@@ -79,6 +82,7 @@ private:
     void assignWalkers();
     void assignPlanned(const SessionPlan& plan);
     void warnOfCrowding();
+    void performDue();
 
     std::unique_ptr<SessionParts> m_parts;
     std::unique_ptr<SessionRules> m_ruleHost;

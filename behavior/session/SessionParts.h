@@ -24,6 +24,7 @@
 #include "behavior/session/Companions.h"
 #include "behavior/session/SessionPlan.h"
 #include "behavior/session/SessionProblems.h"
+#include "behavior/session/SessionTimeline.h"
 #include "behavior/surface/WalkSurface.h"
 #include "model/scene/LightCue.h"
 #include "model/scene/Scene.h"
@@ -87,6 +88,7 @@ struct SessionParts
     // Of the run.
     SessionClock clock;
     SessionProblems problems;
+    DueMarks marks;
     AgentColumns agents;
     PropertyOverrides overrides;
     RecalledValues recalled;

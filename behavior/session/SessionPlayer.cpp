@@ -39,6 +39,7 @@ struct SessionPlayer::Run
     Report report;
     SessionTally tally;
     std::vector<RuleFired> log;
+    model::Timeline performed; ///< by perform()
 
     /// All steps but the last one, which an edit may still change.
     std::shared_ptr<MotionCache> cache = std::make_shared<MotionCache>();
@@ -187,27 +188,31 @@ void SessionPlayer::adopt(const model::Scene& scene, const model::ChangeOver& ch
     });
 }
 
-void SessionPlayer::recall(const model::ChangeOver& change)
-{
-    give([change](Run& run) { (void)run.session->recall(change); });
-}
-
 void SessionPlayer::setSurface(std::shared_ptr<const WalkSurface> surface)
 {
     give([surface = std::move(surface)](Run& run) { run.session->setSurface(surface); });
 }
 
-void SessionPlayer::send(const std::string& event, float payload,
-                         std::vector<model::IndividualId> ids)
+void SessionPlayer::perform(const model::Mark& mark)
 {
-    give([event, payload, ids = std::move(ids)](Run& run) {
-        run.session->send(event, payload, ids);
+    give([mark](Run& run) {
+        model::Mark done = mark;
+        done.seconds = run.session->seconds();
+        run.session->perform(done);
+        const std::scoped_lock lock(run.mutex);
+        if (done.id != 0) {
+            run.performed.push_back(std::move(done));
+        }
     });
 }
 
-void SessionPlayer::sendTagged(const std::string& event, float payload, std::uint8_t tag)
+model::Timeline SessionPlayer::takePerformed()
 {
-    give([event, payload, tag](Run& run) { run.session->sendTagged(event, payload, tag); });
+    if (!m_run) {
+        return {};
+    }
+    const std::scoped_lock lock(m_run->mutex);
+    return std::exchange(m_run->performed, {});
 }
 
 void SessionPlayer::request(double seconds)

@@ -42,11 +42,9 @@ public:
     /// The scene was edited; see Session::adopt().
     void adopt(const model::Scene& scene, bool arePosesKept = false);
     void adopt(const model::Scene& scene, const model::ChangeOver& change);
-    /// See Session::recall().
-    void recall(const model::ChangeOver& change);
     void setSurface(std::shared_ptr<const WalkSurface> surface);
-    void send(const std::string& event, float payload, std::vector<model::IndividualId> ids);
-    void sendTagged(const std::string& event, float payload, std::uint8_t tag);
+    /// See Session::perform().
+    void perform(const model::Mark& mark);
 
     /// Steps are wanted up to this time, seconds.
     void request(double seconds);
@@ -67,6 +65,10 @@ public:
     /// As last counted; at the beginning they are.
     [[nodiscard]] SessionTally tally() const;
     [[nodiscard]] std::vector<RuleFired> takeLog();
+    /// Marks with an id that perform() was asked for and that have been heard since the last call,
+    /// each with the time at which that was: performed at that time in another run of the same
+    /// scene, they do the same.
+    [[nodiscard]] model::Timeline takePerformed();
 
 private:
     struct Run;

@@ -31,6 +31,7 @@ enum class FieldRole : std::uint8_t {
     Part,         ///< a part's name; empty: all
     State,        ///< StateId
     Light,        ///< LightId
+    Cue,          ///< CueId
     Feature,      ///< FeatureId; in lists with weights, the name of a value
     FeatureKind,  ///< the name of a kind of feature
     Relation,     ///< RelationKindId

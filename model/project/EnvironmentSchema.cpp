@@ -18,6 +18,7 @@
 #include "model/scene/Light.h"
 #include "model/scene/LookPreset.h"
 #include "model/scene/Relation.h"
+#include "model/scene/Timeline.h"
 
 namespace crowd::model {
 
@@ -44,6 +45,9 @@ std::string typeOf(const FieldInfo& field)
 {
     if (field.isList()) {
         return std::string("list of ") + itemName(field);
+    }
+    if (field.is<double>()) {
+        return "float";
     }
     if (field.is<std::int64_t>()) {
         return field.meta.choices.empty() ? "int" : "choice";
@@ -89,6 +93,8 @@ const char* referredBy(FieldRole role)
         return "Number";
     case FieldRole::Template:
         return "Template";
+    case FieldRole::Cue:
+        return "Cue";
     default:
         return "";
     }
@@ -114,7 +120,8 @@ json fieldJson(const FieldInfo& field, const json& defaults)
     if (!refers.empty()) {
         described["refers"] = refers;
     }
-    const bool isNumber = described["type"] == "int" || described["type"] == "float";
+    const bool isNumber =
+        described["type"] == "int" || described["type"] == "float" || described["type"] == "ids";
     if (isNumber && (refers.empty() || meta.role == FieldRole::Tag)) {
         described["low"] = meta.low;
         described["high"] = meta.high;
@@ -245,6 +252,7 @@ json entriesJson()
     const Cue cue;
     const Light light;
     const LookPreset look;
+    const Mark mark;
     const Rule rule;
     const json first = {{"kind", rule.trigger.kind().text.key}};
     return {
@@ -269,6 +277,8 @@ json entriesJson()
                   fieldsJson(fieldsOf<Light>(), &light)),
         entryJson("Look", "looks", "A way of drawing that belongs to the scene.",
                   fieldsJson(fieldsOf<LookPreset>(), &look)),
+        entryJson("Mark", "timeline", "A moment of the timeline, and what happens then.",
+                  fieldsJson(fieldsOf<Mark>(), &mark)),
         entryJson("Rule", "rules", "When this happens, and the conditions hold, do this.",
                   fieldsJson(ruleFields(), &rule),
                   {partField("when", "Trigger", "what makes it fire", first),

@@ -164,7 +164,8 @@ std::vector<GroupId> Scene::parties() const
 bool Scene::hasBehaviour() const
 {
     const auto followed = population.column(columns::path);
-    return std::ranges::any_of(rules, &Rule::isEnabled) || doRelatedAct(*this) ||
+    return std::ranges::any_of(rules, &Rule::isEnabled) || doesAnything(timeline) ||
+           doRelatedAct(*this) ||
            std::ranges::any_of(followed, [](PathId path) { return path != 0; });
 }
 

@@ -23,6 +23,7 @@
 #include "model/scene/Relation.h"
 #include "model/scene/Stage.h"
 #include "model/scene/State.h"
+#include "model/scene/Timeline.h"
 #include "model/template/Template.h"
 #include "model/view/View.h"
 
@@ -114,6 +115,7 @@ struct Scene
     std::vector<FeatureKind> features = readyFeatures();        ///< ascending ids
     std::vector<RelationKind> relationKinds = readyRelations(); ///< ascending ids
     RelationTable relations; ///< of people and kinds that are there
+    Timeline timeline;       ///< ascending ids
     SurfaceSettings surface;
     std::uint32_t seed = 1;
     std::uint32_t stepsPerSecond = kStepRates.front(); ///< of a session
@@ -139,8 +141,8 @@ struct Scene
     /// By row, with whom somebody walks as one party: the group's number; from kRelatedParty on,
     /// those who are related so; 0: nobody.
     [[nodiscard]] std::vector<GroupId> parties() const;
-    /// Whether play has more to do than to run clips: somebody follows a path, there are rules, or
-    /// people who are related do something by themselves.
+    /// Whether play has more to do than to run clips: somebody follows a path, there are rules, the
+    /// timeline does something, or people who are related do something by themselves.
     [[nodiscard]] bool hasBehaviour() const;
     /// All seats of the loaded stages, ascending by id.
     [[nodiscard]] std::vector<WorldSeat> worldSeats() const;

@@ -69,6 +69,10 @@ struct RelationKindsChanged
 struct RelationsChanged
 {
 };
+/// What happens when.
+struct TimelineChanged
+{
+};
 /// Another scene altogether: forget everything.
 struct SceneReplaced
 {
@@ -78,6 +82,6 @@ using SceneChange =
     std::variant<IndividualsAdded, IndividualsRemoved, ColumnsChanged, TemplatesChanged,
                  StagesChanged, CamerasChanged, LightingChanged, LightsChanged, LooksChanged,
                  PathsChanged, GroupsChanged, RulesChanged, StatesChanged, FeaturesChanged,
-                 RelationKindsChanged, RelationsChanged, SceneReplaced>;
+                 RelationKindsChanged, RelationsChanged, TimelineChanged, SceneReplaced>;
 
 } // namespace crowd::model

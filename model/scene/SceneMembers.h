@@ -34,7 +34,7 @@ struct SceneMember
         std::is_same_v<Change, PathsChanged> || std::is_same_v<Change, RulesChanged> ||
         std::is_same_v<Change, GroupsChanged> || std::is_same_v<Change, FeaturesChanged> ||
         std::is_same_v<Change, RelationKindsChanged> || std::is_same_v<Change, LightsChanged> ||
-        std::is_same_v<Change, LooksChanged>;
+        std::is_same_v<Change, LooksChanged> || std::is_same_v<Change, TimelineChanged>;
     /// Whether files are without it where there is nothing of it.
     static constexpr bool isOptional = isEnvironment || std::is_same_v<Change, StatesChanged> ||
                                        std::is_same_v<Change, RelationsChanged>;
@@ -122,6 +122,10 @@ struct States : SceneMember<&Scene::states, StatesChanged, MemberKind::Value>
 {
     static constexpr const char* key = "states";
 };
+struct Timeline : SceneMember<&Scene::timeline, TimelineChanged, MemberKind::Value>
+{
+    static constexpr const char* key = "timeline";
+};
 
 } // namespace members
 
@@ -131,7 +135,7 @@ using SceneMembers =
                members::Groups, members::Cameras, members::Light, members::Lights, members::Looks,
                members::Tags, members::Rules, members::Numbers, members::Cues, members::Steps,
                members::Surface, members::Features, members::RelationKinds, members::Relations,
-               members::States>;
+               members::States, members::Timeline>;
 
 inline constexpr std::size_t kMemberCount = std::tuple_size_v<SceneMembers>;
 

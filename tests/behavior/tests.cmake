@@ -29,6 +29,7 @@ crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_Session
     tst_SessionEdits
     tst_SessionSteps
+    tst_SessionTimeline
     tst_StateFades
     tst_StrideKernel
     tst_SurfaceTheatre

@@ -103,6 +103,17 @@ void alter(members::Surface, SceneEdit& edit)
     edit.set<members::Surface>(surface);
 }
 
+void alter(members::Timeline, SceneEdit& edit)
+{
+    Mark mark;
+    mark.id = 5;
+    mark.seconds = 12.5;
+    mark.kind = MarkKind::Event;
+    mark.event = "wave";
+    mark.people = {1, 4};
+    edit.set<members::Timeline>({mark});
+}
+
 void alter(members::Features, SceneEdit& edit)
 {
     FeatureKind kind;

@@ -88,7 +88,11 @@ void SessionPlayerTest::editsWhileItRuns()
             (void)scene.population.remove(ids);
         }
         player.adopt(scene, i % 3 == 0);
-        player.send("run", 0.0F, {static_cast<model::IndividualId>(1000 + i)});
+        model::Mark mark;
+        mark.kind = model::MarkKind::Event;
+        mark.event = "run";
+        mark.people = {1000 + i};
+        player.perform(mark);
         QVERIFY(lookAt(player, scene, i / 30.0));
         (void)player.poseAt(i / 30.0)->lit.size();
         heard += player.takeLog().size();

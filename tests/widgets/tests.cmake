@@ -30,6 +30,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_SelectTool
     tst_StatesDock
     tst_StrokesDock
+    tst_TimelineDock
     tst_ToolController
     tst_Transport
     tst_ViewportCamera

@@ -20,3 +20,4 @@
 #include "widgets/docks/StatesDock.h"
 #include "widgets/docks/StrokesDock.h"
 #include "widgets/docks/TemplatesDock.h"
+#include "widgets/docks/TimelineDock.h"

@@ -72,6 +72,7 @@ void EnvironmentTree::followScene()
                                    [](const model::LightingChanged&) { return false; },
                                    [](const model::LightsChanged&) { return false; },
                                    [](const model::LooksChanged&) { return false; },
+                                   [](const model::TimelineChanged&) { return false; },
                                    [](const model::CamerasChanged&) { return false; },
                                    [](const auto&) { return true; },
                                },

@@ -18,6 +18,7 @@
 #include "widgets/docks/FieldNames.h"
 #include "widgets/docks/PointPicking.h"
 #include "widgets/state/BrushTexts.h"
+#include "widgets/state/Cues.h"
 #include "widgets/state/EditorState.h"
 #include "widgets/state/FeatureTexts.h"
 
@@ -301,6 +302,16 @@ void addTag(FieldForm& form, const Bound& bound)
         bound.isShown);
 }
 
+/// Cues without a name are called after what they do.
+std::vector<model::Cue> namedCues(const model::Scene& scene)
+{
+    std::vector<model::Cue> cues = scene.cues;
+    for (model::Cue& cue : cues) {
+        cue.name = cueTitle(scene, cue).toStdString();
+    }
+    return cues;
+}
+
 /// Events that some rule listens to, beside a text of the artist's own.
 void addKnownEvents(FieldForm& form, const Bound& bound)
 {
@@ -437,6 +448,9 @@ bool addReferenceControl(FieldForm& form, const Bound& bound)
         return true;
     case model::FieldRole::State:
         addEntryChoice(form, bound, sceneOf(form).states);
+        return true;
+    case model::FieldRole::Cue:
+        addEntryChoice(form, bound, namedCues(sceneOf(form)));
         return true;
     case model::FieldRole::Slot:
         addSlot(form, bound);

@@ -3,14 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <vector>
 
 #include <QtCore/QCoreApplication>
 #include <QtGui/QShortcut>
 #include <QtWidgets/QWidget>
 
-#include "model/states/StateKeeping.h"
 #include "widgets/state/SceneChanges.h"
 
 namespace crowd::widgets {
@@ -28,34 +25,19 @@ const model::State* stateOf(const model::Scene& scene, const model::Cue& cue)
     return found == scene.states.end() ? nullptr : &*found;
 }
 
-/// Those whom a cue reaches now; nothing: nobody is selected.
-std::optional<std::vector<model::IndividualId>> reachedBy(EditorState& state, const model::Cue& cue)
+/// The cue called as it is called now.
+model::Mark calling(const EditorState& state, const model::Cue& cue)
 {
-    const model::Population& people = state.scene().population;
-    if (cue.reach == model::CueReach::Everybody) {
-        return std::vector<model::IndividualId>(people.ids().begin(), people.ids().end());
-    }
+    model::Mark mark;
+    mark.kind = model::MarkKind::Cue;
+    mark.cue = cue.id;
+    const glm::vec3 forward = state.camera().forward();
+    mark.headingRadians = std::atan2(forward.x, forward.z);
     if (cue.reach == model::CueReach::Selected) {
         const auto& ids = state.selection().ids();
-        return ids.empty()
-                   ? std::nullopt
-                   : std::optional(std::vector<model::IndividualId>(ids.begin(), ids.end()));
+        mark.people.assign(ids.begin(), ids.end());
     }
-    const model::CrowdFramePtr shown = state.frame();
-    const auto tags = shown->population.column(model::columns::tags);
-    std::vector<model::IndividualId> tagged;
-    for (std::size_t row = 0; row < tags.size(); ++row) {
-        if ((tags[row] >> cue.tag & 1U) != 0) {
-            tagged.push_back(shown->population.ids()[row]);
-        }
-    }
-    return tagged;
-}
-
-model::RecallTiming timingOf(const EditorState& state, const model::Cue& cue)
-{
-    const glm::vec3 forward = state.camera().forward();
-    return {cue.seconds, {cue.spread, cue.order, cue.point, std::atan2(forward.x, forward.z)}};
+    return mark;
 }
 
 bool canBegin(EditorState& state, const model::Cue& cue)
@@ -91,25 +73,18 @@ void sendCue(EditorState& state, const model::Cue& cue)
         return;
     }
     const QString name = cueTitle(state.scene(), cue);
-    const auto people = reachedBy(state, cue);
-    if (!people) {
+    const model::Mark mark = calling(state, cue);
+    if (cue.reach == model::CueReach::Selected && mark.people.empty()) {
         state.showStatus(CueText::tr("Nobody is selected who could hear “%1”.").arg(name));
         return;
     }
-    if (const model::State* kept = stateOf(state.scene(), cue)) {
-        (void)state.session().recall({kept->id, peopleOf(state.scene(), *kept, &*people),
-                                      kept->columns, timingOf(state, cue)});
-    } else if (cue.state != 0) {
+    if (cue.state != 0 && stateOf(state.scene(), cue) == nullptr) {
         state.showStatus(CueText::tr("The state that “%1” recalls is not there any more: choose "
                                      "another one.")
                              .arg(name));
         return;
     }
-    if (!cue.event.empty() && cue.reach == model::CueReach::Tagged) {
-        state.session().sendTagged({cue.event, cue.payload}, cue.tag);
-    } else if (!cue.event.empty()) {
-        state.session().send({cue.event, cue.payload}, *people);
-    }
+    (void)state.session().perform(mark);
     state.showStatus(CueText::tr("Cue: “%1”").arg(name));
 }
 

@@ -16,6 +16,7 @@
 #include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
 #include "model/states/ChangeOver.h"
+#include "model/states/StateKeeping.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/state/SurfaceBuilder.h"
 
@@ -87,12 +88,13 @@ struct SessionControl::ChangingPeople
 
 SessionControl::SessionControl(model::SceneDocument& document, Transport& transport,
                                QObject* parent)
-    : QObject(parent), m_document(document), m_transport(transport),
+    : QObject(parent), m_document(document), m_transport(transport), m_recorder(document, this),
       m_player(std::make_unique<behavior::SessionPlayer>([this] {
           QMetaObject::invokeMethod(
               this,
               [this] {
                   followProblems();
+                  m_recorder.add(m_player->takePerformed());
                   Q_EMIT stepped();
               },
               Qt::QueuedConnection);
@@ -130,6 +132,7 @@ void SessionControl::followScene(const model::SceneChange& change)
             m_surface->plan = {}; // it holds the stages
             drop();
             m_liveSeconds = m_transport.seconds();
+            m_recorder.forget();
         });
     m_isBehaviourStale = true;
     const bool isOfNoInterest = isOneOf<model::CamerasChanged, model::LightingChanged,
@@ -193,12 +196,47 @@ void SessionControl::changeOver(const model::ChangeOver& change)
 
 bool SessionControl::recall(const model::ChangeOver& change)
 {
-    if (!startForRecall()) {
+    const auto& states = m_document.scene().states;
+    const auto state = std::ranges::find(states, change.state, &model::State::id);
+    if (state == states.end() || change.ids.empty()) {
+        return false;
+    }
+    model::Mark mark;
+    mark.kind = model::MarkKind::State;
+    mark.state = change.state;
+    mark.setTiming(change.timing);
+    if (change.ids != peopleOf(m_document.scene(), *state)) {
+        mark.people.assign(change.ids.begin(), change.ids.end());
+    }
+    return perform(mark);
+}
+
+/// Whether it is worth a run of its own.
+bool SessionControl::beginsRun(const model::Mark& mark) const
+{
+    const auto& cues = m_document.scene().cues;
+    const auto cue = std::ranges::find(cues, mark.cue, &model::Cue::id);
+    return mark.kind == model::MarkKind::State ||
+           (mark.kind == model::MarkKind::Cue && cue != cues.end() && cue->state != 0);
+}
+
+bool SessionControl::perform(const model::Mark& mark)
+{
+    if (!isRunning() && !(beginsRun(mark) && startForRecall())) {
         return false;
     }
     catchUp();
     handPending();
-    m_player->recall(change);
+    model::Mark part = mark;
+    std::size_t first = 0;
+    do { // a mark of the timeline names no more people than files hold
+        const std::size_t end = std::min(mark.people.size(), first + model::kMostMarkPeople);
+        part.people.assign(mark.people.begin() + static_cast<std::ptrdiff_t>(first),
+                           mark.people.begin() + static_cast<std::ptrdiff_t>(end));
+        part.id = m_recorder.nextId();
+        m_player->perform(part);
+        first = end;
+    } while (first < mark.people.size());
     return true;
 }
 
@@ -335,6 +373,7 @@ void SessionControl::start()
 void SessionControl::drop()
 {
     if (isRunning()) {
+        m_recorder.add(m_player->takePerformed());
         m_player->stop();
         m_frame.reset();
         m_changing.reset();
@@ -433,14 +472,15 @@ void SessionControl::stop()
 void SessionControl::send(const model::EventSettings& event,
                           std::span<const model::IndividualId> ids)
 {
-    catchUp();
-    m_player->send(event.name, event.payload, {ids.begin(), ids.end()});
-}
-
-void SessionControl::sendTagged(const model::EventSettings& event, std::uint8_t tag)
-{
-    catchUp();
-    m_player->sendTagged(event.name, event.payload, tag);
+    if (ids.empty()) {
+        return; // a mark without people is for everybody
+    }
+    model::Mark mark;
+    mark.kind = model::MarkKind::Event;
+    mark.event = event.name;
+    mark.payload = event.payload;
+    mark.people.assign(ids.begin(), ids.end());
+    (void)perform(mark);
 }
 
 void SessionControl::pose(model::CrowdFrame& frame) const

@@ -15,6 +15,7 @@
 #include "model/brush/BrushSettings.h"
 #include "model/document/SceneDocument.h"
 #include "model/scene/CrowdFrame.h"
+#include "widgets/state/MarkRecorder.h"
 #include "widgets/state/Transport.h"
 
 namespace crowd::behavior {
@@ -62,15 +63,18 @@ public:
     /// The scene as keepPose() would make it, with people in the clips that they are seen in;
     /// without a session as it is.
     [[nodiscard]] model::Scene shownScene() const;
-    /// People take on a state of the scene in the run alone, which begins where there is none.
-    /// False: it cannot begin yet, and nothing happens.
+    /// What happens at a mark happens in the run now, whenever the mark is. For a state, or a cue
+    /// that recalls one, a run begins where there is none. False: there is none, or it cannot begin
+    /// yet, and nothing happens.
+    bool perform(const model::Mark& mark);
+    /// People take on a state of the scene in the run alone; see perform().
     bool recall(const model::ChangeOver& change);
+    /// While it is on, what is performed becomes a mark of the timeline.
+    [[nodiscard]] MarkRecorder& recorder() { return m_recorder; }
     /// Whether people differ from the scene since a state was recalled in the run alone.
     [[nodiscard]] bool hasRecalled() const;
     /// To a running session only.
     void send(const model::EventSettings& event, std::span<const model::IndividualId> ids);
-    /// To those who have a tag now.
-    void sendTagged(const model::EventSettings& event, std::uint8_t tag);
 
     /// What is shown at a time of the transport.
     [[nodiscard]] model::CrowdFramePtr frame(double seconds) const;
@@ -130,9 +134,11 @@ private:
     void forgetSurface();
     [[nodiscard]] double stepRate() const;
     void followProblems();
+    [[nodiscard]] bool beginsRun(const model::Mark& mark) const;
 
     model::SceneDocument& m_document;
     Transport& m_transport;
+    MarkRecorder m_recorder;
     std::unique_ptr<behavior::SessionPlayer> m_player;
     std::unique_ptr<Surface> m_surface;
     model::Message m_surfaceProblem;

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <QtCore/QtGlobal>
+#include <glm/vec3.hpp>
+
+#include "model/base/Values.h"
+#include "model/describe/Field.h"
+#include "model/rules/RuleFields.h"
+#include "model/rules/RuleNames.h"
+#include "model/states/RecallTiming.h"
+
+/// What happens when while a scene plays: marks in time. Plain values, part of the scene.
+namespace crowd::model {
+
+/// A stable name within a scene; 0: none.
+using MarkId = std::uint32_t;
+
+/// What happens at a mark. Saved by the keys of kMarkKinds.
+enum class MarkKind : std::uint8_t {
+    Marker, ///< nothing: a name for a moment
+    Cue,    ///< what the cue does by then
+    State,  ///< people take on a state
+    Event   ///< people hear an event
+};
+
+/// A week.
+inline constexpr double kLatestMark = 604'800.0;
+inline constexpr std::size_t kMostMarks = 100'000;
+/// That a mark names: files hold no longer lists.
+inline constexpr std::size_t kMostMarkPeople = 100'000;
+
+struct Mark
+{
+    MarkId id = 0;
+    std::string name;
+    double seconds = 0.0; ///< of the clock; what was played before a run began does not happen
+    MarkKind kind = MarkKind::Marker;
+    std::uint32_t cue = 0;   ///< CueId, of Cue
+    std::uint32_t state = 0; ///< StateId, of State
+    float fade = 0.0F;       ///< seconds that each takes to take it on
+    float spread = 0.0F;     ///< seconds from the first who begins to the last
+    StaggerOrder order = StaggerOrder::Distance;
+    glm::vec3 point{0.0F};       ///< of Distance, metres
+    float headingRadians = 0.0F; ///< of Heading, also of what a cue recalls
+    std::string event;           ///< of Event
+    float payload = 0.0F;
+    /// Whom it is for, ascending; they may be gone. Empty: whomever the cue reaches, all of the
+    /// state, everybody.
+    std::vector<int> people;
+    std::string unknownMembers{}; ///< see Scene::unknownMembers
+
+    static constexpr auto fields();
+    /// How people take on the state.
+    [[nodiscard]] RecallTiming timing() const
+    {
+        return {fade, {spread, order, point, headingRadians}};
+    }
+    void setTiming(const RecallTiming& timing);
+    [[nodiscard]] bool isSpread() const { return kind == MarkKind::State && spread > 0.0F; }
+    friend bool operator==(const Mark&, const Mark&) = default;
+};
+
+/// Ascending ids.
+using Timeline = std::vector<Mark>;
+
+/// Null: there is none.
+[[nodiscard]] const Mark* findMark(const Timeline& timeline, MarkId id);
+/// For one more: above all that there are; 0: there is no room.
+[[nodiscard]] MarkId freeMarkId(const Timeline& timeline);
+/// In the order in which they happen: by time, then by id.
+[[nodiscard]] Timeline inOrder(Timeline timeline);
+/// Whether some of them does something.
+[[nodiscard]] bool doesAnything(const Timeline& timeline);
+
+inline constexpr std::array kMarkKinds{
+    FieldChoice{"marker", QT_TRANSLATE_NOOP("Fields", "nothing: a marker"),
+                QT_TRANSLATE_NOOP("Fields", "A name for a moment")},
+    FieldChoice{"cue", QT_TRANSLATE_NOOP("Fields", "call a cue"),
+                QT_TRANSLATE_NOOP("Fields", "What the cue sends, and the state it recalls")},
+    FieldChoice{"state", QT_TRANSLATE_NOOP("Fields", "recall a state"),
+                QT_TRANSLATE_NOOP("Fields", "In the run alone: the scene stays as it is")},
+    FieldChoice{"event", QT_TRANSLATE_NOOP("Fields", "send an event"),
+                QT_TRANSLATE_NOOP("Fields", "Rules answer it")}};
+
+constexpr auto Mark::fields()
+{
+    using C = FieldContext;
+    return std::tuple(
+        field(&Mark::id, {.key = "id",
+                          .doc = "of no other mark of the scene",
+                          .low = 1.0,
+                          .high = 4294967295.0}),
+        field(&Mark::name, {.key = "name",
+                            .label = QT_TRANSLATE_NOOP("Fields", "Name"),
+                            .tip = QT_TRANSLATE_NOOP("Fields", "Without one it is called after "
+                                                               "what happens"),
+                            .doc = "as the editor shows it"}),
+        field(&Mark::seconds, {.key = "seconds",
+                               .label = QT_TRANSLATE_NOOP("Fields", "At"),
+                               .tip = QT_TRANSLATE_NOOP("Fields", "When it happens, by the clock"),
+                               .doc = "when it happens, by the clock",
+                               .unit = QT_TRANSLATE_NOOP("Fields", " s"),
+                               .high = kLatestMark,
+                               .sliderHigh = 120.0,
+                               .decimals = 2}),
+        field(&Mark::kind, {.key = "kind",
+                            .label = QT_TRANSLATE_NOOP("Fields", "Then"),
+                            .doc = "what happens",
+                            .choices = kMarkKinds}),
+        field(&Mark::cue, rulefields::reference({.label = QT_TRANSLATE_NOOP("Fields", "Cue"),
+                                                 .doc = "id of the cue that is called, of `cue`",
+                                                 .zero = QT_TRANSLATE_NOOP("Fields", "None")},
+                                                "cue", FieldRole::Cue))
+            .when([](const Mark& s, const C&) { return s.kind == MarkKind::Cue; }),
+        field(&Mark::state,
+              rulefields::reference({.label = QT_TRANSLATE_NOOP("Fields", "State"),
+                                     .doc = "id of the state that people take on, of `state`",
+                                     .zero = QT_TRANSLATE_NOOP("Fields", "None")},
+                                    "state", FieldRole::State))
+            .when([](const Mark& s, const C&) { return s.kind == MarkKind::State; }),
+        field(&Mark::fade, {.key = "fade",
+                            .label = QT_TRANSLATE_NOOP("Fields", "Each takes"),
+                            .doc = "that each takes to take it on",
+                            .unit = QT_TRANSLATE_NOOP("Fields", " s"),
+                            .high = kLongestRecall,
+                            .sliderHigh = 10.0})
+            .when([](const Mark& s, const C&) { return s.kind == MarkKind::State; }),
+        field(&Mark::spread, {.key = "spread",
+                              .label = QT_TRANSLATE_NOOP("Fields", "The last begins after"),
+                              .tip = QT_TRANSLATE_NOOP("Fields", "0: all begin at the same moment"),
+                              .doc = "from the first who begins to the last",
+                              .unit = QT_TRANSLATE_NOOP("Fields", " s"),
+                              .high = kLongestRecall,
+                              .sliderHigh = 20.0})
+            .when([](const Mark& s, const C&) { return s.kind == MarkKind::State; }),
+        field(&Mark::order, {.key = "order",
+                             .label = QT_TRANSLATE_NOOP("Fields", "Order"),
+                             .doc = "who begins when",
+                             .choices = Stagger::kOrders})
+            .when([](const Mark& s, const C&) { return s.isSpread(); }),
+        field(&Mark::point, {.key = "point",
+                             .label = QT_TRANSLATE_NOOP("Fields", "From"),
+                             .doc = "metres, where \"distance\" begins",
+                             .low = -1e6,
+                             .high = 1e6,
+                             .sliderLow = -1000.0,
+                             .sliderHigh = 1000.0,
+                             .role = FieldRole::Point})
+            .when([](const Mark& s, const C&) {
+                return s.isSpread() && s.order == StaggerOrder::Distance;
+            }),
+        field(&Mark::headingRadians,
+              {.key = "heading",
+               .doc = "radians, in which \"heading\" moves on; also of what a cue recalls",
+               .low = -1e6,
+               .high = 1e6,
+               .role = FieldRole::Angle}),
+        field(&Mark::event, {.key = "event",
+                             .label = QT_TRANSLATE_NOOP("Fields", "Event"),
+                             .doc = "that people hear, of `event`",
+                             .role = FieldRole::Event})
+            .when([](const Mark& s, const C&) { return s.kind == MarkKind::Event; }),
+        field(&Mark::payload, {.key = "payload",
+                               .label = QT_TRANSLATE_NOOP("Fields", "Number"),
+                               .tip = QT_TRANSLATE_NOOP("Fields", "That comes along: rules ask "
+                                                                  "for it"),
+                               .doc = "the number that comes along",
+                               .low = -kMaxNumber,
+                               .high = kMaxNumber,
+                               .sliderLow = 0.0,
+                               .sliderHigh = 10.0})
+            .when([](const Mark& s, const C&) { return s.kind == MarkKind::Event; }),
+        field(&Mark::people, {.key = "people",
+                              .doc = "ids of those whom it is for; empty: whomever the cue "
+                                     "reaches, all of the state, everybody",
+                              .low = 1.0,
+                              .high = 2147483647.0}));
+}
+
+} // namespace crowd::model

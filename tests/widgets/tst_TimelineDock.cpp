@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include <QtGui/QUndoStack>
+#include <QtTest/QTest>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QToolButton>
+
+#include "model/rules/RuleSets.h"
+#include "tests/program/WindowTest.h"
+#include "tests/widgets/Desk.h"
+#include "widgets/docks/FieldForm.h"
+#include "widgets/docks/TimelineDock.h"
+#include "widgets/docks/TimelineView.h"
+#include "widgets/state/Cues.h"
+
+using namespace crowd;
+using namespace crowd::widgets;
+
+namespace {
+
+constexpr int kTimelinePatienceMs = 10'000;
+
+struct TimelineDesk : crowd::testing::Desk<TimelineDock>
+{
+    TimelineDesk()
+    {
+        window.addDockWidget(Qt::BottomDockWidgetArea, dock);
+        window.resize(900, 320);
+        state.transport().setPlaying(false);
+        model::Scene scene = document.scene();
+        model::Cue cue;
+        cue.id = 4;
+        cue.name = "Applause";
+        cue.event = "clap";
+        scene.cues = {cue};
+        model::Rule rule;
+        rule.id = 1;
+        rule.name = "listen";
+        model::triggers::Event event;
+        event.event = "clap";
+        rule.trigger = event;
+        rule.actions = {model::actions::Stop()};
+        scene.rules = {rule};
+        document.replaceScene(std::move(scene), {});
+        (void)crowd::testing::addPeople(document, 4);
+    }
+    [[nodiscard]] TimelineView& view() { return *dock->findChild<TimelineView*>(); }
+    [[nodiscard]] const model::Timeline& marks() { return document.scene().timeline; }
+    [[nodiscard]] QToolButton* button(const char* name)
+    {
+        return dock->findChild<QToolButton*>(QLatin1String(name));
+    }
+    /// In the lane, at a time.
+    [[nodiscard]] QPoint at(model::MarkKind kind, double seconds)
+    {
+        model::Mark mark;
+        mark.kind = kind;
+        mark.seconds = seconds;
+        return view().placeOf(mark);
+    }
+    void doubleClick(model::MarkKind kind, double seconds)
+    {
+        QTest::mouseDClick(&view(), Qt::LeftButton, {}, at(kind, seconds));
+    }
+    void drag(QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {})
+    {
+        QTest::mousePress(&view(), Qt::LeftButton, modifiers, from);
+        for (int i = 1; i <= 4; ++i) {
+            const QPoint between = from + (to - from) * i / 4;
+            QMouseEvent move(QEvent::MouseMove, between, view().mapToGlobal(between), Qt::NoButton,
+                             Qt::LeftButton, modifiers);
+            QCoreApplication::sendEvent(&view(), &move);
+        }
+        QTest::mouseRelease(&view(), Qt::LeftButton, modifiers, to);
+    }
+    /// Frames of a clock that nobody else advances here.
+    void playTo(double seconds)
+    {
+        state.transport().setPlaying(true);
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                state.session().advance(0.02);
+                return state.transport().seconds() >= seconds;
+            },
+            kTimelinePatienceMs));
+        state.transport().setPlaying(false);
+    }
+};
+
+bool isNear(double a, double b)
+{
+    return std::abs(a - b) < 0.06;
+}
+
+} // namespace
+
+class TestTimelineDock : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aDoubleClickMakesAMark();
+    void marksAreDraggedAndCopied();
+    void theChosenAreRemoved();
+    void theFormChangesTheMark();
+    void whatIsPerformedIsRecorded();
+    void theRulerShowsWhatWasPlayed();
+    void itGoesFromMarkToMark();
+    void timesAreShownInFrames();
+    void theWheelZooms();
+    void anotherSceneHasItsOwn();
+};
+
+void TestTimelineDock::aDoubleClickMakesAMark()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    desk.doubleClick(model::MarkKind::Cue, 4.0);
+    QCOMPARE(desk.marks().size(), std::size_t{1});
+    QCOMPARE(desk.marks()[0].cue, 4U);
+    QVERIFY(isNear(desk.marks()[0].seconds, 4.0));
+    QVERIFY(desk.view().chosen() == MarkIds{1});
+    QCOMPARE(markTitle(desk.document.scene(), desk.marks()[0]), QStringLiteral("Applause"));
+    desk.doubleClick(model::MarkKind::Event, 6.0);
+    QCOMPARE(desk.marks()[1].event, std::string("clap"));
+    QString said;
+    QObject::connect(&desk.state, &EditorState::statusMessage,
+                     [&](const QString& text) { said = text; });
+    desk.doubleClick(model::MarkKind::State, 8.0); // the scene has none
+    QCOMPARE(desk.marks().size(), std::size_t{2});
+    QVERIFY2(said.contains(QStringLiteral("no states yet")), qPrintable(said));
+    desk.document.undoStack().undo();
+    desk.document.undoStack().undo();
+    QVERIFY(desk.marks().empty() && desk.view().chosen().empty());
+}
+
+void TestTimelineDock::marksAreDraggedAndCopied()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    desk.doubleClick(model::MarkKind::Marker, 3.0);
+    const int steps = desk.document.undoStack().index();
+    desk.drag(desk.at(model::MarkKind::Marker, 3.0), desk.at(model::MarkKind::Marker, 7.0));
+    QCOMPARE(desk.document.undoStack().index(), steps + 1);
+    QVERIFY2(isNear(desk.marks()[0].seconds, 7.0),
+             qPrintable(QString::number(desk.marks()[0].seconds)));
+    desk.drag(desk.at(model::MarkKind::Marker, 7.0), desk.at(model::MarkKind::Marker, 9.0),
+              Qt::ControlModifier);
+    QCOMPARE(desk.marks().size(), std::size_t{2});
+    QVERIFY(isNear(desk.marks()[0].seconds, 7.0) && isNear(desk.marks()[1].seconds, 9.0));
+    QVERIFY(desk.view().chosen() == MarkIds{2});
+    QTest::mouseClick(&desk.view(), Qt::LeftButton, Qt::ShiftModifier,
+                      desk.at(model::MarkKind::Marker, 7.0));
+    QVERIFY((desk.view().chosen() == MarkIds{1, 2}));
+    desk.drag(desk.at(model::MarkKind::Marker, 9.0), desk.at(model::MarkKind::Marker, 1.0));
+    QCOMPARE(desk.marks()[0].seconds, 0.0);        // none before the beginning
+    QVERIFY(isNear(desk.marks()[1].seconds, 2.0)); // as far from the other as before
+}
+
+void TestTimelineDock::theChosenAreRemoved()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    const std::size_t people = desk.document.scene().population.size();
+    desk.state.selection().selectAll();
+    desk.doubleClick(model::MarkKind::Marker, 3.0);
+    desk.doubleClick(model::MarkKind::Marker, 5.0);
+    QTest::keyClick(&desk.view(), Qt::Key_Delete);
+    QCOMPARE(desk.marks().size(), std::size_t{1});
+    QCOMPARE(desk.document.scene().population.size(), people);
+    QVERIFY(!desk.button("markRemove")->isEnabled());
+    QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, desk.at(model::MarkKind::Marker, 3.0));
+    QTest::mouseClick(desk.button("markRemove"), Qt::LeftButton);
+    QVERIFY(desk.marks().empty());
+}
+
+void TestTimelineDock::theFormChangesTheMark()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    auto* form = desk.dock->findChild<FieldForm*>(QStringLiteral("markForm"));
+    QVERIFY(!form->isVisible());
+    desk.doubleClick(model::MarkKind::Marker, 3.0);
+    QVERIFY(form->isVisible());
+    auto* name = crowd::testing::fieldBeside<QLineEdit>(*desk.dock, QStringLiteral("Name"));
+    QVERIFY(name != nullptr);
+    crowd::testing::type(*name, QStringLiteral("Curtain"));
+    QCOMPARE(desk.marks()[0].name, std::string("Curtain"));
+    auto* then = crowd::testing::fieldBeside<QComboBox>(*desk.dock, QStringLiteral("Then"));
+    QVERIFY(then != nullptr);
+    QTest::keyClick(then, Qt::Key_Down);
+    QVERIFY(desk.marks()[0].kind == model::MarkKind::Cue);
+    desk.document.undoStack().undo();
+    QVERIFY(desk.marks()[0].kind == model::MarkKind::Marker);
+    QCOMPARE(then->currentIndex(), 0);
+}
+
+void TestTimelineDock::whatIsPerformedIsRecorded()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    desk.playTo(0.2);
+    sendCue(desk.state, desk.document.scene().cues[0]); // nobody records
+    QTest::mouseClick(desk.button("timelineRecord"), Qt::LeftButton);
+    QVERIFY(desk.state.session().recorder().isOn());
+    desk.playTo(0.5);
+    sendCue(desk.state, desk.document.scene().cues[0]);
+    const std::vector<model::IndividualId> some{1, 2};
+    desk.state.session().send({"wave", 2.0F}, some);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.marks().size(), std::size_t{2}, kTimelinePatienceMs);
+    const model::Mark cue = desk.marks()[0];
+    QVERIFY(cue.kind == model::MarkKind::Cue && cue.cue == 4 && cue.people.empty());
+    QVERIFY(cue.seconds >= 0.5 && cue.seconds < 1.5);
+    const model::Mark event = desk.marks()[1];
+    QVERIFY(event.kind == model::MarkKind::Event && event.event == "wave");
+    QVERIFY((event.people == std::vector<int>{1, 2}) && event.payload == 2.0F);
+    desk.playTo(cue.seconds + 0.3);
+    const auto fired = desk.state.session().firedCount(1);
+    QVERIFY(fired > 0);
+    // Played again it happens by itself.
+    desk.state.session().recorder().setOn(false);
+    desk.state.session().stop();
+    desk.playTo(cue.seconds + 0.3);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.state.session().firedCount(1), fired / 2, kTimelinePatienceMs);
+    QCOMPARE(desk.marks().size(), std::size_t{2});
+    desk.document.undoStack().undo();
+    QVERIFY(desk.marks().empty());
+}
+
+void TestTimelineDock::theRulerShowsWhatWasPlayed()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    desk.playTo(2.0);
+    const double live = desk.state.session().liveSeconds();
+    desk.drag(desk.view().placeOf(0.5), desk.view().placeOf(1.0));
+    QVERIFY(isNear(desk.state.transport().seconds(), 1.0));
+    desk.drag(desk.view().placeOf(1.0), desk.view().placeOf(live + 5.0));
+    QCOMPARE(desk.state.transport().seconds(), live);
+}
+
+void TestTimelineDock::itGoesFromMarkToMark()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    desk.playTo(2.0);
+    const double live = desk.state.session().liveSeconds();
+    (void)addMark(desk.state, model::MarkKind::Marker, 0.5);
+    (void)addMark(desk.state, model::MarkKind::Marker, 1.5);
+    (void)addMark(desk.state, model::MarkKind::Marker, 60.0);
+    QTest::mouseClick(desk.button("markBack"), Qt::LeftButton);
+    QCOMPARE(desk.state.transport().seconds(), 1.5);
+    QTest::mouseClick(desk.button("markBack"), Qt::LeftButton);
+    QTest::mouseClick(desk.button("markBack"), Qt::LeftButton); // there is none
+    QCOMPARE(desk.state.transport().seconds(), 0.5);
+    QTest::mouseClick(desk.button("markNext"), Qt::LeftButton);
+    QCOMPARE(desk.state.transport().seconds(), 1.5);
+    QTest::mouseClick(desk.button("markNext"), Qt::LeftButton); // not played yet
+    QCOMPARE(desk.state.transport().seconds(), live);
+    QTest::mouseClick(desk.button("markAdd"), Qt::LeftButton);
+    QCOMPARE(desk.marks().back().seconds, live);
+}
+
+void TestTimelineDock::timesAreShownInFrames()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    auto* units = desk.dock->findChild<QComboBox*>(QStringLiteral("timelineUnits"));
+    units->setCurrentIndex(units->findData(25));
+    desk.doubleClick(model::MarkKind::Marker, 3.333);
+    const double frames = desk.marks()[0].seconds * 25.0;
+    QVERIFY(std::abs(frames - std::round(frames)) < 1e-9);
+    TimelineDesk other; // it is remembered
+    QCOMPARE(other.view().frameRate(), 25);
+    units->setCurrentIndex(0);
+    QCOMPARE(desk.view().frameRate(), 0);
+}
+
+void TestTimelineDock::theWheelZooms()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    const int before = desk.view().placeOf(5.0).x();
+    const QPoint at = desk.view().placeOf(0.0);
+    const auto turn = [&](int by, Qt::KeyboardModifiers modifiers) {
+        QWheelEvent event(at, desk.view().mapToGlobal(at), {}, {0, by}, Qt::NoButton, modifiers,
+                          Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&desk.view(), &event);
+    };
+    turn(360, {});
+    QCOMPARE(desk.view().placeOf(0.0).x(), at.x());
+    QVERIFY(desk.view().placeOf(5.0).x() > before + 20);
+    turn(-360, Qt::ShiftModifier);
+    QVERIFY(desk.view().placeOf(0.0).x() < at.x() - 50);
+    QTest::mouseClick(desk.button("timelineAll"), Qt::LeftButton);
+    QCOMPARE(desk.view().placeOf(0.0).x(), at.x());
+}
+
+void TestTimelineDock::anotherSceneHasItsOwn()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    desk.state.session().recorder().setOn(true);
+    desk.doubleClick(model::MarkKind::Marker, 3.0);
+    desk.document.replaceScene(crowd::testing::smallTheatre(), {});
+    QVERIFY(desk.view().chosen().empty());
+    QVERIFY(!desk.dock->findChild<FieldForm*>(QStringLiteral("markForm"))->isVisible());
+}
+
+CROWD_WINDOW_TEST(TestTimelineDock)
+#include "tst_TimelineDock.moc"

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/commands/TimelineCommands.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <QtCore/QCoreApplication>
+
+#include "model/document/SceneEdit.h"
+#include "model/rules/RuleSets.h"
+#include "widgets/state/Cues.h"
+
+namespace crowd::widgets {
+
+using model::Mark;
+using model::MarkId;
+using model::MarkKind;
+using model::Timeline;
+
+namespace {
+
+constexpr double kSameMoment = 1e-3; ///< seconds
+
+struct MarkText
+{
+    Q_DECLARE_TR_FUNCTIONS(TimelineCommands)
+};
+
+bool putTimeline(EditorState& state, const QString& undoText, Timeline timeline)
+{
+    const auto outcome = state.document().edit(undoText, [&timeline](model::SceneEdit& edit) {
+        edit.set<model::members::Timeline>(std::move(timeline));
+    });
+    return outcome != model::EditOutcome::Refused;
+}
+
+QString nameOfState(const model::Scene& scene, model::StateId id)
+{
+    const auto found = std::ranges::find(scene.states, id, &model::State::id);
+    return found == scene.states.end() ? QString() : QString::fromStdString(found->name);
+}
+
+QString nameOfCue(const model::Scene& scene, model::CueId id)
+{
+    const auto found = std::ranges::find(scene.cues, id, &model::Cue::id);
+    return found == scene.cues.end() ? QString() : cueTitle(scene, *found);
+}
+
+/// What a new mark does, so that it does something at once.
+void beginWith(Mark& mark, const model::Scene& scene)
+{
+    if (mark.kind == MarkKind::Cue && !scene.cues.empty()) {
+        mark.cue = scene.cues.front().id;
+    } else if (mark.kind == MarkKind::State && !scene.states.empty()) {
+        mark.state = scene.states.front().id;
+    } else if (mark.kind == MarkKind::Event) {
+        const auto events = model::eventsOf(scene);
+        mark.event = events.empty() ? std::string() : events.front();
+    }
+}
+
+QString missing(const Mark& mark)
+{
+    if (mark.kind == MarkKind::Cue && mark.cue == 0) {
+        return MarkText::tr("The scene has no cues yet: the panel Rules makes them.");
+    }
+    if (mark.kind == MarkKind::State && mark.state == 0) {
+        return MarkText::tr("The scene has no states yet: the panel States keeps them.");
+    }
+    return {};
+}
+
+} // namespace
+
+QString markTitle(const model::Scene& scene, const Mark& mark)
+{
+    if (!mark.name.empty()) {
+        return QString::fromStdString(mark.name);
+    }
+    switch (mark.kind) {
+    case MarkKind::Cue:
+        return nameOfCue(scene, mark.cue);
+    case MarkKind::State:
+        return nameOfState(scene, mark.state);
+    case MarkKind::Event:
+        return QString::fromStdString(mark.event);
+    case MarkKind::Marker:
+        break;
+    }
+    return {};
+}
+
+MarkId addMark(EditorState& state, MarkKind kind, double seconds)
+{
+    Timeline timeline = state.scene().timeline;
+    Mark mark;
+    mark.id = model::freeMarkId(timeline);
+    mark.kind = kind;
+    mark.seconds = std::clamp(seconds, 0.0, model::kLatestMark);
+    beginWith(mark, state.scene());
+    if (mark.id == 0) {
+        state.showStatus(MarkText::tr("A timeline has at most %1 marks: remove some first.")
+                             .arg(model::kMostMarks));
+        return 0;
+    }
+    if (const QString why = missing(mark); !why.isEmpty()) {
+        state.showStatus(why);
+        return 0;
+    }
+    const MarkId id = mark.id;
+    timeline.push_back(std::move(mark));
+    return putTimeline(state, MarkText::tr("Add a mark"), std::move(timeline)) ? id : 0;
+}
+
+void addMarkerNow(EditorState& state)
+{
+    const double now = state.transport().seconds();
+    if (addMark(state, MarkKind::Marker, now) != 0) {
+        state.showStatus(MarkText::tr("Marked at %1 s").arg(now, 0, 'f', 2));
+    }
+}
+
+void removeMarks(EditorState& state, const MarkIds& marks)
+{
+    Timeline timeline = state.scene().timeline;
+    std::erase_if(timeline, [&marks](const Mark& mark) { return marks.contains(mark.id); });
+    if (timeline.size() != state.scene().timeline.size()) {
+        (void)putTimeline(state, MarkText::tr("Remove marks"), std::move(timeline));
+    }
+}
+
+void shiftMarks(EditorState& state, const MarkIds& marks, double seconds)
+{
+    Timeline timeline = state.scene().timeline;
+    for (Mark& mark : timeline) {
+        if (marks.contains(mark.id)) {
+            mark.seconds = std::clamp(mark.seconds + seconds, 0.0, model::kLatestMark);
+        }
+    }
+    (void)putTimeline(state, MarkText::tr("Move marks"), std::move(timeline));
+}
+
+MarkIds copyMarks(EditorState& state, const MarkIds& marks, double seconds)
+{
+    Timeline timeline = state.scene().timeline;
+    MarkIds copies;
+    for (const MarkId id : marks) {
+        const Mark* mark = model::findMark(state.scene().timeline, id);
+        const MarkId next = model::freeMarkId(timeline);
+        if (mark != nullptr && next != 0) {
+            Mark copy = *mark;
+            copy.id = next;
+            copy.seconds = std::clamp(copy.seconds + seconds, 0.0, model::kLatestMark);
+            copies.insert(next);
+            timeline.push_back(std::move(copy));
+        }
+    }
+    return putTimeline(state, MarkText::tr("Copy marks"), std::move(timeline)) ? copies : MarkIds();
+}
+
+Timeline withMark(const Timeline& timeline, MarkId id, const std::function<void(Mark&)>& apply)
+{
+    Timeline changed = timeline;
+    for (Mark& mark : changed) {
+        if (mark.id == id) {
+            apply(mark);
+        }
+    }
+    return changed;
+}
+
+void showNextMark(EditorState& state, bool isForward)
+{
+    const double now = state.transport().seconds();
+    const Timeline ordered = model::inOrder(state.scene().timeline);
+    const auto isPast = [&](const Mark& mark) {
+        return mark.seconds < now + (isForward ? kSameMoment : -kSameMoment);
+    };
+    const auto next = std::ranges::partition_point(ordered, isPast);
+    const bool isNone = isForward ? next == ordered.end() : next == ordered.begin();
+    if (isNone) {
+        state.showStatus(isForward ? MarkText::tr("There is no mark after this moment.")
+                                   : MarkText::tr("There is no mark before this moment."));
+        return;
+    }
+    showMoment(state, (isForward ? next : std::prev(next))->seconds);
+}
+
+void showMoment(EditorState& state, double seconds)
+{
+    const SessionControl& session = state.session();
+    const double last = std::max(session.liveSeconds(), state.transport().seconds());
+    const double first = std::min(session.firstSeconds(), last);
+    state.transport().setSeconds(std::clamp(seconds, first, last));
+    if (seconds > last + kSameMoment) {
+        state.showStatus(MarkText::tr("It has been played up to %1 s: play on to see more.")
+                             .arg(last, 0, 'f', 2));
+    }
+}
+
+} // namespace crowd::widgets

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/docks/TimelineDock.h"
+
+#include <array>
+#include <utility>
+
+#include <QtCore/QSettings>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QToolButton>
+#include <QtWidgets/QVBoxLayout>
+
+#include "widgets/commands/TimelineCommands.h"
+#include "widgets/docks/FieldForm.h"
+#include "widgets/docks/PanelButton.h"
+#include "widgets/docks/TimelineView.h"
+#include "widgets/state/SceneChanges.h"
+
+namespace crowd::widgets {
+
+using model::Mark;
+
+namespace {
+
+constexpr int kSideWidth = 288; ///< logical pixels
+constexpr std::array kFrameRates{0, 24, 25, 30, 60};
+const QString kUnitKey = QStringLiteral("timeline/frameRate");
+
+} // namespace
+
+TimelineDock::TimelineDock(EditorState& state, QWidget* parent)
+    : DockBase(tr("Timeline"), "timeline", parent), m_state(state), m_edit(state.document(), this),
+      m_view(new TimelineView(state, this)), m_units(new QComboBox(this)), m_note(new QLabel(this))
+{
+    auto* content = new QWidget(this);
+    auto* layout = new QHBoxLayout(content);
+    layout->setContentsMargins(6, 6, 6, 6);
+    auto* main = new QVBoxLayout();
+    main->addWidget(makeButtons());
+    main->addWidget(m_view, 1);
+    layout->addLayout(main, 1);
+    layout->addWidget(makeSide());
+    setWidget(content);
+    connect(m_view, &TimelineView::chosenChanged, this, &TimelineDock::followChosen);
+    connect(
+        &state.document(), &model::SceneDocument::changed, this,
+        [this](const model::SceneChange& change) {
+            if (isOneOf<model::RulesChanged, model::StatesChanged, model::SceneReplaced>(change)) {
+                makeForm();
+                followChosen();
+            } else if (isOneOf<model::TimelineChanged>(change)) {
+                followChosen();
+            }
+            if (isOneOf<model::SceneReplaced>(change)) {
+                m_view->showAll();
+            }
+        });
+    followChosen();
+}
+
+QWidget* TimelineDock::makeButtons()
+{
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    const auto add = [row, layout](const char* icon, const QString& tip, const char* name) {
+        QToolButton* button = panelButton(row, icon, tip, name);
+        layout->addWidget(button);
+        return button;
+    };
+    m_record = add("record",
+                   tr("Record: cues, states and events become marks of the timeline as they are "
+                      "performed while it plays"),
+                   "timelineRecord");
+    m_record->setCheckable(true);
+    m_record->setChecked(m_state.session().recorder().isOn());
+    MarkRecorder& recorder = m_state.session().recorder();
+    connect(m_record, &QToolButton::toggled, &recorder, &MarkRecorder::setOn);
+    connect(&recorder, &MarkRecorder::changed, m_record, &QToolButton::setChecked);
+    connect(add("mark-back", tr("The mark before this moment"), "markBack"), &QToolButton::clicked,
+            this, [this] { showNextMark(m_state, false); });
+    connect(add("mark-next", tr("The mark after this moment"), "markNext"), &QToolButton::clicked,
+            this, [this] { showNextMark(m_state, true); });
+    connect(add("mark", tr("A marker at this moment"), "markAdd"), &QToolButton::clicked, this,
+            [this] { addMarkerNow(m_state); });
+    m_remove = add("delete", tr("Remove the chosen marks"), "markRemove");
+    connect(m_remove, &QToolButton::clicked, this,
+            [this] { removeMarks(m_state, MarkIds(m_view->chosen())); });
+    layout->addStretch(1);
+    connect(add("frame-all", tr("Show all marks, and all that has been played"), "timelineAll"),
+            &QToolButton::clicked, m_view, &TimelineView::showAll);
+    makeUnits();
+    layout->addWidget(m_units);
+    return row;
+}
+
+void TimelineDock::makeUnits()
+{
+    m_units->setObjectName(QStringLiteral("timelineUnits"));
+    m_units->setToolTip(tr("What times are shown in, and caught by when marks are dragged"));
+    const int before = QSettings().value(kUnitKey).toInt();
+    for (const int rate : kFrameRates) {
+        m_units->addItem(rate == 0 ? tr("Seconds") : tr("%1 frames/s").arg(rate), rate);
+        if (rate == before) {
+            m_units->setCurrentIndex(m_units->count() - 1);
+            m_view->setFrameRate(rate);
+        }
+    }
+    connect(m_units, &QComboBox::currentIndexChanged, this, [this] {
+        m_view->setFrameRate(m_units->currentData().toInt());
+        QSettings().setValue(kUnitKey, m_view->frameRate());
+    });
+}
+
+QWidget* TimelineDock::makeSide()
+{
+    auto* content = new QWidget(this);
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(6, 0, 0, 0);
+    m_note->setObjectName(QStringLiteral("markNote"));
+    m_note->setWordWrap(true);
+    m_note->setEnabled(false);
+    layout->addWidget(m_note);
+    layout->addStretch(1);
+    m_side = content;
+    makeForm();
+    auto* area = new QScrollArea(this);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setWidget(content);
+    area->setFixedWidth(kSideWidth);
+    return area;
+}
+
+/// Anew where what it offers has changed: cues, states, events.
+void TimelineDock::makeForm()
+{
+    if (m_form != nullptr) {
+        m_edit.hold(false);
+        m_form->setParent(nullptr);
+        m_form->deleteLater(); // it may be what is being used
+    }
+    const FormTarget target{[this]() -> const void* { return &shown(); },
+                            [this](const auto& apply) { change(apply); },
+                            [this] {
+                                return model::FieldContext{&m_state.scene(), nullptr};
+                            }};
+    m_form = new FieldForm(target, QStringLiteral("mark"), &m_state, m_side);
+    m_form->setObjectName(QStringLiteral("markForm"));
+    m_form->addFields(model::fieldsOf<Mark>());
+    m_form->finish();
+    connect(m_form, &FieldForm::held, &m_edit, &HeldEdit::hold);
+    static_cast<QVBoxLayout*>(m_side->layout())->insertWidget(0, m_form);
+}
+
+void TimelineDock::followChosen()
+{
+    const bool isOne = m_view->chosen().size() == 1;
+    m_remove->setEnabled(!m_view->chosen().empty());
+    m_form->setVisible(isOne);
+    if (isOne) {
+        m_form->refresh();
+    }
+    describePeople();
+}
+
+void TimelineDock::describePeople()
+{
+    const auto count = static_cast<int>(m_view->chosen().size());
+    const Mark& mark = shown();
+    QString text = tr("Choose a mark to see what happens there.");
+    if (count > 1) {
+        text = tr("%n marks are chosen: drag them, or remove them.", nullptr, count);
+    } else if (count == 1 && !mark.people.empty()) {
+        text = tr("For %n characters, as it was recorded.", nullptr,
+                  static_cast<int>(mark.people.size()));
+    } else if (count == 1) {
+        text.clear();
+    }
+    m_note->setText(text);
+    m_note->setVisible(!text.isEmpty());
+}
+
+const Mark& TimelineDock::shown() const
+{
+    static const Mark kNone;
+    const MarkIds& chosen = m_view->chosen();
+    const Mark* mark =
+        chosen.size() == 1 ? model::findMark(m_state.scene().timeline, *chosen.begin()) : nullptr;
+    return mark != nullptr ? *mark : kNone;
+}
+
+void TimelineDock::change(const std::function<void(void*)>& apply)
+{
+    model::Timeline timeline =
+        withMark(m_state.scene().timeline, shown().id, [&apply](Mark& mark) { apply(&mark); });
+    if (!m_edit.put(tr("Change a mark"), [&timeline](model::SceneEdit& edit) {
+            edit.set<model::members::Timeline>(std::move(timeline));
+        })) {
+        m_form->refresh();
+    }
+}
+
+void TimelineDock::takeOver(DockBase& before)
+{
+    DockBase::takeOver(before);
+    if (const auto* view = before.findChild<TimelineView*>()) {
+        m_view->choose(MarkIds(view->chosen()));
+    }
+}
+
+} // namespace crowd::widgets

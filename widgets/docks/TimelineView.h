@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include <QtWidgets/QWidget>
+
+#include "widgets/commands/TimelineCommands.h"
+#include "widgets/docks/TimelineScale.h"
+
+namespace crowd::widgets {
+
+/// The timeline as a picture: a ruler, what of it has been played, the moment that is shown, and a
+/// lane of marks for each kind. A drag on the ruler shows any moment that has been played; marks
+/// are chosen, dragged, copied (Ctrl), removed, and made by a double click. Main thread; the state
+/// outlives it.
+class TimelineView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    TimelineView(EditorState& state, QWidget* parent);
+
+    [[nodiscard]] const MarkIds& chosen() const { return m_chosen; }
+    void choose(MarkIds marks);
+    /// Frames a second that times are shown and caught by; 0: seconds, and hundredths of them.
+    void setFrameRate(int perSecond);
+    [[nodiscard]] int frameRate() const { return m_scale.frameRate(); }
+    /// All marks and all that has been played are seen.
+    void showAll();
+
+    [[nodiscard]] QSize sizeHint() const override { return minimumSizeHint(); }
+    [[nodiscard]] QSize minimumSizeHint() const override;
+    /// Where a mark is drawn; outside of the widget where it is not seen.
+    [[nodiscard]] QPoint placeOf(const model::Mark& mark) const;
+    /// Where a moment is on the ruler.
+    [[nodiscard]] QPoint placeOf(double seconds) const;
+
+Q_SIGNALS:
+    void chosenChanged();
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    struct Drag
+    {
+        QPoint from;
+        double seconds = 0.0; ///< that the chosen ones are moved by
+        bool isMoving = false;
+        bool isCopy = false;
+    };
+
+    void followScene();
+    void fitAtFirst();
+    void followTime(double seconds);
+    void seek(int x);
+    void beginDrag(const model::Mark& mark, const QMouseEvent& event);
+    void endDrag();
+    [[nodiscard]] double earliestChosen() const;
+    void removeChosen();
+    [[nodiscard]] const model::Mark* markAt(const QPoint& at) const; ///< null: there is none
+    [[nodiscard]] std::optional<model::MarkKind> laneAt(int y) const;
+    [[nodiscard]] int laneHeight() const; ///< logical pixels
+    [[nodiscard]] int topOf(std::size_t lane) const;
+    [[nodiscard]] double shownSeconds(const model::Mark& mark) const; ///< while it is dragged
+    void paintLanes(QPainter& painter) const;
+    void paintRuler(QPainter& painter) const;
+    void paintMarks(QPainter& painter) const;
+    void paintMark(QPainter& painter, const model::Mark& mark, int room) const;
+    void paintNow(QPainter& painter) const;
+    void paintHint(QPainter& painter) const;
+
+    EditorState& m_state;
+    TimelineScale m_scale;
+    model::Timeline m_ordered; ///< the scene's, in the order in which they happen
+    MarkIds m_chosen;
+    std::optional<Drag> m_drag;
+    bool m_isToFit = true; ///< all of it, once the widget has its size
+    bool m_isSeeking = false;
+    bool m_playedBefore = false;
+};
+
+} // namespace crowd::widgets
