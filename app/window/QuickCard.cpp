@@ -79,21 +79,10 @@ bool doWordsFit(const QString& text, double room, const QFontMetricsF& metrics)
 }
 
 /// What is wanted most often beside painting.
-constexpr std::array kCommands{"undo",
-                               "redo",
-                               "save",
-                               "duplicate",
-                               "delete",
-                               "select-all",
-                               "select-none",
-                               "select-similar",
-                               "select-related",
-                               "group-selected",
-                               "save-picture",
-                               "make-movie",
-                               "rules",
-                               "timeline",
-                               "keys"};
+constexpr std::array kCommands{"undo",           "redo",           "save",         "duplicate",
+                               "delete",         "select-all",     "select-none",  "select-similar",
+                               "select-related", "group-selected", "save-picture", "make-movie",
+                               "rules",          "timeline",       "keys"};
 
 void addCommands(CardList& list, const widgets::ActionRegistry& actions)
 {

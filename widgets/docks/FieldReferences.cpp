@@ -312,6 +312,19 @@ std::vector<model::Cue> namedCues(const model::Scene& scene)
     return cues;
 }
 
+/// One of the groups, states or cues that there are.
+void addEntry(FieldForm& form, const Bound& bound)
+{
+    const model::Scene& scene = sceneOf(form);
+    if (bound.field->meta.role == model::FieldRole::Group) {
+        addEntryChoice(form, bound, scene.groups);
+    } else if (bound.field->meta.role == model::FieldRole::State) {
+        addEntryChoice(form, bound, scene.states);
+    } else {
+        addEntryChoice(form, bound, namedCues(scene));
+    }
+}
+
 /// Events that some rule listens to, beside a text of the artist's own.
 void addKnownEvents(FieldForm& form, const Bound& bound)
 {
@@ -444,13 +457,9 @@ bool addReferenceControl(FieldForm& form, const Bound& bound)
     }
     switch (field.meta.role) {
     case model::FieldRole::Group:
-        addEntryChoice(form, bound, sceneOf(form).groups);
-        return true;
     case model::FieldRole::State:
-        addEntryChoice(form, bound, sceneOf(form).states);
-        return true;
     case model::FieldRole::Cue:
-        addEntryChoice(form, bound, namedCues(sceneOf(form)));
+        addEntry(form, bound);
         return true;
     case model::FieldRole::Slot:
         addSlot(form, bound);
