@@ -7917,6 +7917,14 @@
         <source>It has been played up to %1 s: play on to see more.</source>
         <translation>Gespielt ist es bis %1 s: spielen Sie weiter, um mehr zu sehen.</translation>
     </message>
+    <message>
+        <source>missing state</source>
+        <translation>Zustand fehlt</translation>
+    </message>
+    <message>
+        <source>missing cue</source>
+        <translation>Stichwort fehlt</translation>
+    </message>
 </context>
 <context>
     <name>Tools</name>

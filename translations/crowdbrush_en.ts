@@ -7917,6 +7917,14 @@
         <source>It has been played up to %1 s: play on to see more.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>missing state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>missing cue</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Tools</name>

@@ -72,9 +72,9 @@ void passBackFaces(const RTCFilterFunctionNArguments* arguments)
     }
 }
 
-/// Which triangle is met is Embree's to say, where from its plane: the library takes the processor's
-/// approximation of 1/x, whose last bits differ between makes. `about`: the library's distance, for
-/// triangles that are seen from their edge.
+/// Which triangle is met is Embree's to say, where from its plane: the library takes the
+/// processor's approximation of 1/x, whose last bits differ between makes. `about`: the library's
+/// distance, for triangles that are seen from their edge.
 SurfaceHit met(const Ray& ray, const std::array<glm::dvec3, 3>& corners, float about)
 {
     const glm::dvec3 origin(ray.origin);

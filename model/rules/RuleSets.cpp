@@ -271,12 +271,16 @@ bool isSent(const std::vector<Cue>& cues, const std::string& event)
 }
 
 /// With the next id and, as long as there are any, a key of its own.
-Cue cueOf(const std::string& event, const std::vector<Cue>& others)
+/// Its id is that of none that the timeline still calls.
+Cue cueOf(const std::string& event, const std::vector<Cue>& others, const Timeline& timeline)
 {
     Cue cue;
     cue.id = 1;
     for (const Cue& each : others) {
         cue.id = std::max(cue.id, each.id + 1);
+    }
+    for (const Mark& mark : timeline) {
+        cue.id = std::max(cue.id, mark.cue + 1);
     }
     const auto free = std::ranges::find_if(kCueKeys, [&](std::string_view key) {
         return std::ranges::find(others, key, &Cue::key) == others.end();
@@ -331,7 +335,7 @@ std::vector<Cue> cuesWith(RuleSet set, const std::vector<Rule>& rules, const Sce
     std::vector<Cue> cues = scene.cues;
     for (const std::string& event : eventsOf(rules)) {
         if (cues.size() < kMaxNamed && !isSent(cues, event)) {
-            cues.push_back(cueOf(event, cues));
+            cues.push_back(cueOf(event, cues, scene.timeline));
             cues.back().name = cueName(event);
             cues.back().reach = reachOf(set);
         }
@@ -345,7 +349,7 @@ Cue nextCue(const Scene& scene)
     const auto unsent = std::ranges::find_if(
         events, [&](const std::string& event) { return !isSent(scene.cues, event); });
     const std::string usual = events.empty() ? std::string("cheer") : events.front();
-    return cueOf(unsent != events.end() ? *unsent : usual, scene.cues);
+    return cueOf(unsent != events.end() ? *unsent : usual, scene.cues, scene.timeline);
 }
 
 void giveIds(std::vector<Rule>& rules, const Scene& scene)

@@ -164,6 +164,9 @@ StateId freeStateId(const std::vector<State>& states, const Scene& scene)
     for (const Cue& cue : scene.cues) {
         taken.insert(cue.state);
     }
+    for (const Mark& mark : scene.timeline) {
+        taken.insert(mark.state);
+    }
     StateId id = 1;
     while (taken.contains(id)) {
         ++id;

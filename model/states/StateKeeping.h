@@ -34,8 +34,8 @@ namespace crowd::model {
 
 /// By its name; null: there is none.
 [[nodiscard]] const State* findState(const Scene& scene, const std::string& name);
-/// The smallest that none of them has, and that no rule and no cue of the scene names: a new state
-/// must not be taken for one that is gone.
+/// The smallest that none of them has, and that no rule, cue or mark of the scene names: a new
+/// state must not be taken for one that is gone.
 [[nodiscard]] StateId freeStateId(const std::vector<State>& states, const Scene& scene);
 /// Takes the place of the one of that name, whose id it gets; else it comes last. In an edit.
 void putState(SceneEdit& edit, State state);

@@ -240,6 +240,10 @@ void TestRuleSets::setsBringTheirCues()
     scene.cues.push_back(model::nextCue(scene));
     QCOMPARE(scene.cues.back().key, std::string("F10"));
     QCOMPARE(model::nextCue(scene).key, std::string());
+    model::Mark mark; // of a cue that is gone
+    mark.cue = 40;
+    scene.timeline = {mark};
+    QCOMPARE(model::nextCue(scene).id, model::CueId{41});
     scene.cues.resize(model::kMaxNamed);
     const auto full = model::cuesWith(RuleSet::Flock, model::rulesOf(RuleSet::Flock, scene), scene);
     QCOMPARE(full.size(), model::kMaxNamed);

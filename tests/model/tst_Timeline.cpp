@@ -7,6 +7,7 @@
 
 #include "model/document/MemberEntries.h"
 #include "model/project/ProjectReader.h"
+#include "model/states/StateKeeping.h"
 #include "tests/model/ProjectText.h"
 #include "tests/program/Test.h"
 
@@ -50,6 +51,7 @@ private Q_SLOTS:
     void oddFilesAreRefused();
     void newMarksComeLast();
     void whatIsAtOneTimeHappensInOrder();
+    void newStatesAreNotTakenForThoseThatAreGone();
 };
 
 void TestTimeline::filesKeepIt()
@@ -123,6 +125,15 @@ void TestTimeline::whatIsAtOneTimeHappensInOrder()
     QCOMPARE(ordered[1].id, MarkId{4});
     QCOMPARE(ordered[2].id, MarkId{1});
     QVERIFY(!doesAnything(ordered));
+}
+
+void TestTimeline::newStatesAreNotTakenForThoseThatAreGone()
+{
+    Scene scene;
+    Mark mark = markAt(1.0, 1);
+    mark.state = 1;
+    scene.timeline = {mark};
+    QCOMPARE(freeStateId({}, scene), StateId{2});
 }
 
 CROWD_TEST(TestTimeline)

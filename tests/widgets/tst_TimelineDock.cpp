@@ -102,6 +102,7 @@ class TestTimelineDock : public QObject
 private Q_SLOTS:
     void aDoubleClickMakesAMark();
     void marksAreDraggedAndCopied();
+    void whatIsUndoneUnderTheHandIsLetGo();
     void theChosenAreRemoved();
     void theFormChangesTheMark();
     void whatIsPerformedIsRecorded();
@@ -156,6 +157,26 @@ void TestTimelineDock::marksAreDraggedAndCopied()
     desk.drag(desk.at(model::MarkKind::Marker, 9.0), desk.at(model::MarkKind::Marker, 1.0));
     QCOMPARE(desk.marks()[0].seconds, 0.0);        // none before the beginning
     QVERIFY(isNear(desk.marks()[1].seconds, 2.0)); // as far from the other as before
+}
+
+void TestTimelineDock::whatIsUndoneUnderTheHandIsLetGo()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    desk.doubleClick(model::MarkKind::Cue, 3.0);
+    const QPoint from = desk.at(model::MarkKind::Cue, 3.0);
+    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, from);
+    desk.document.undoStack().undo();
+    const QPoint to = from + QPoint(90, 0);
+    QMouseEvent move(QEvent::MouseMove, to, desk.view().mapToGlobal(to), Qt::NoButton,
+                     Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&desk.view(), &move);
+    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, to);
+    QVERIFY(desk.marks().empty());
+    desk.document.undoStack().redo();
+    model::Mark gone = desk.marks()[0];
+    gone.cue = 99;
+    QCOMPARE(markTitle(desk.document.scene(), gone), QStringLiteral("missing cue"));
 }
 
 void TestTimelineDock::theChosenAreRemoved()

@@ -38,13 +38,14 @@ bool putTimeline(EditorState& state, const QString& undoText, Timeline timeline)
 QString nameOfState(const model::Scene& scene, model::StateId id)
 {
     const auto found = std::ranges::find(scene.states, id, &model::State::id);
-    return found == scene.states.end() ? QString() : QString::fromStdString(found->name);
+    return found == scene.states.end() ? MarkText::tr("missing state")
+                                       : QString::fromStdString(found->name);
 }
 
 QString nameOfCue(const model::Scene& scene, model::CueId id)
 {
     const auto found = std::ranges::find(scene.cues, id, &model::Cue::id);
-    return found == scene.cues.end() ? QString() : cueTitle(scene, *found);
+    return found == scene.cues.end() ? MarkText::tr("missing cue") : cueTitle(scene, *found);
 }
 
 /// What a new mark does, so that it does something at once.

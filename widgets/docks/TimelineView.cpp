@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include <QtGui/QContextMenuEvent>
@@ -112,6 +111,7 @@ void TimelineView::followScene()
         return model::findMark(m_state.scene().timeline, id) == nullptr;
     });
     if (m_chosen.size() != before) {
+        m_drag.reset(); // undone under the hand
         Q_EMIT chosenChanged();
     }
     update();
@@ -461,15 +461,15 @@ void TimelineView::paintRuler(QPainter& painter) const
 
 void TimelineView::paintMarks(QPainter& painter) const
 {
-    std::map<MarkKind, int> next; // where the one after it in its lane is
+    std::array<int, kLanes.size()> next; // where the one after it in its lane is
+    next.fill(width());
     for (auto mark = m_ordered.rbegin(); mark != m_ordered.rend(); ++mark) {
         const int x = placeOf(*mark).x();
-        const auto after = next.find(mark->kind);
-        const int end = after != next.end() ? after->second : width();
+        int& end = next[laneOf(mark->kind)];
         if (x <= width() + kMark && x + m_scale.pixels(lengthOf(*mark)) >= kNames - 200) {
             paintMark(painter, *mark, end - x);
         }
-        next[mark->kind] = x - kMark;
+        end = x - kMark;
     }
 }
 
