@@ -173,8 +173,12 @@ bool MainWindow::isFree()
 void MainWindow::connectDocks()
 {
     connect(&console(), &ConsoleDock::readyToClose, this, &QWidget::close);
-    connect(m_layout.dock(DockId::Rules), &QDockWidget::visibilityChanged, this,
-            [this] { m_actions.refresh(widgets::ActionInput::Window); });
+    for (const DockInfo& info : dockTable()) {
+        if (info.action != nullptr) { // which stands as the panel does
+            connect(m_layout.dock(info.id), &QDockWidget::visibilityChanged, this,
+                    [this] { m_actions.refresh(widgets::ActionInput::Window); });
+        }
+    }
     auto* templates = m_layout.dock<widgets::TemplatesDock>(DockId::Templates);
     auto* scene = m_layout.dock<widgets::SceneDock>(DockId::Scene);
     connect(templates, &widgets::TemplatesDock::importRequested, &m_assets,

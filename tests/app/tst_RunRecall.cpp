@@ -5,6 +5,7 @@
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
 
+#include "app/window/DockLayout.h"
 #include "model/document/SceneEdit.h"
 #include "tests/app/PlainScene.h"
 #include "tests/app/SceneWindow.h"
@@ -73,6 +74,7 @@ void TestRunRecall::undoSaysWhatItDoesNotKnow()
 void TestRunRecall::theMenuOfPanelsShowsTheirKeys()
 {
     QAction* rules = m_window->actions().action("rules");
+    QAction* timeline = m_window->actions().action("timeline");
     int panels = 0;
     bool isThere = false;
     for (const QAction* top : m_window->menuBar()->actions()) {
@@ -80,11 +82,19 @@ void TestRunRecall::theMenuOfPanelsShowsTheirKeys()
         for (const QDockWidget* dock : m_window->docks()) {
             panels += inside.contains(dock->toggleViewAction()) ? 1 : 0;
         }
-        isThere |= top->text().contains(QStringLiteral("Window")) && inside.contains(rules);
+        isThere |= top->text().contains(QStringLiteral("Window")) && inside.contains(rules) &&
+                   inside.contains(timeline);
     }
     QVERIFY(isThere);
-    QCOMPARE(panels + 1, static_cast<int>(m_window->docks().size()));
+    QCOMPARE(panels + 2, static_cast<int>(m_window->docks().size()));
     QCOMPARE(rules->shortcut(), QKeySequence(QStringLiteral("Ctrl+Shift+B")));
+    // They stand as their panels do, however those were shown.
+    QVERIFY(!timeline->isChecked());
+    timeline->trigger();
+    QDockWidget* dock = m_window->dockLayout().dock(app::DockId::Timeline);
+    QVERIFY(timeline->isChecked() && dock->isVisible());
+    dock->close();
+    QTRY_VERIFY(!timeline->isChecked());
 }
 
 CROWD_WINDOW_TEST(TestRunRecall)
