@@ -42,6 +42,8 @@ EXAMPLES = {
     "A field of the light": Example(r"\bskyZenith\b", users=("model/scene/ReadyLight.cpp",), most=3),
     "A kind of light": Example(r"\bLightKind::Point\b|\"point\", QT", most=4),
     "A look": Example(r"\bLook::Plain\b|\"plain\"", users=("app/commands/BenchRender.cpp",), most=3),
+    "A kind of mark": Example(r"\bMarkKind::Event\b|\"event\", QT", most=5,
+                              users=("model/rules/*",)),
     "A format of pictures": Example(r"\"png\"", users=("model/gltf/*",), most=2),
     "A panel": Example(r"\bHistoryDock\b|\bDockId::History\b|^    History,$", most=7),
     "A test": Example(r"\btst_BrushColour\b", most=2),
