@@ -140,8 +140,7 @@ void TimelineDock::makeForm()
 {
     if (m_form != nullptr) {
         m_edit.hold(false);
-        m_form->setParent(nullptr);
-        m_form->deleteLater(); // it may be what is being used
+        delete m_form; // it changes marks alone: what it offers is changed elsewhere
     }
     const FormTarget target{[this]() -> const void* { return &shown(); },
                             [this](const auto& apply) { change(apply); },
