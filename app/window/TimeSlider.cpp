@@ -9,8 +9,6 @@
 #include <QtWidgets/QStyle>
 #include <QtWidgets/QStyleOptionSlider>
 
-#include "widgets/state/SessionControl.h"
-
 namespace crowd::app {
 
 namespace {
@@ -26,7 +24,7 @@ int ticks(double seconds)
 } // namespace
 
 TimeSlider::TimeSlider(widgets::EditorState& state, QWidget* parent)
-    : QSlider(Qt::Horizontal, parent), m_state(state)
+    : QSlider(Qt::Horizontal, parent), m_state(state), m_scrub(state)
 {
     setObjectName(QStringLiteral("timeSlider"));
     setFixedWidth(kWidth);
@@ -40,13 +38,10 @@ TimeSlider::TimeSlider(widgets::EditorState& state, QWidget* parent)
 
 void TimeSlider::refresh()
 {
-    const widgets::SessionControl& session = m_state.session();
-    const double now = m_state.transport().seconds();
-    const double live = std::max(session.liveSeconds(), now);
-    setEnabled(live > session.firstSeconds());
+    setEnabled(m_scrub.last() > m_scrub.first());
     const QSignalBlocker blocker(this);
-    setRange(ticks(session.firstSeconds()), std::max(ticks(live), 1));
-    setValue(ticks(now));
+    setRange(ticks(m_scrub.first()), std::max(ticks(m_scrub.last()), 1));
+    setValue(ticks(m_state.transport().seconds()));
 }
 
 void TimeSlider::mousePressEvent(QMouseEvent* event)
@@ -54,30 +49,26 @@ void TimeSlider::mousePressEvent(QMouseEvent* event)
     if (event->button() != Qt::LeftButton) {
         return;
     }
-    m_isHeld = true;
-    m_playedBefore = m_state.transport().isPlaying();
-    m_state.transport().setPlaying(false);
+    m_scrub.begin();
     seek(event->position().toPoint().x());
 }
 
 void TimeSlider::mouseMoveEvent(QMouseEvent* event)
 {
-    if (m_isHeld) {
+    if (m_scrub.isHeld()) {
         seek(event->position().toPoint().x());
     }
 }
 
 void TimeSlider::mouseReleaseEvent(QMouseEvent* event)
 {
-    if (m_isHeld && event->button() == Qt::LeftButton) {
-        m_isHeld = false;
-        m_state.transport().setPlaying(m_playedBefore);
+    if (event->button() == Qt::LeftButton) {
+        m_scrub.end();
     }
 }
 
 void TimeSlider::seek(int x)
 {
-    const widgets::SessionControl& session = m_state.session();
     QStyleOptionSlider option;
     initStyleOption(&option);
     const QRect groove =
@@ -87,8 +78,7 @@ void TimeSlider::seek(int x)
     const int way = std::max(1, groove.width() - handle);
     const int at = x - groove.x() - handle / 2;
     const double share = std::clamp(static_cast<double>(at) / way, 0.0, 1.0);
-    const double first = session.firstSeconds();
-    m_state.transport().setSeconds(first + share * (session.liveSeconds() - first));
+    m_scrub.show(m_scrub.first() + share * (m_scrub.last() - m_scrub.first()));
 }
 
 } // namespace crowd::app

@@ -3,7 +3,7 @@
 
 #include <QtWidgets/QSlider>
 
-#include "widgets/state/EditorState.h"
+#include "widgets/state/Scrub.h"
 
 namespace crowd::app {
 
@@ -27,8 +27,7 @@ private:
     void seek(int x); ///< logical pixels
 
     widgets::EditorState& m_state;
-    bool m_isHeld = false;
-    bool m_playedBefore = false;
+    widgets::Scrub m_scrub;
 };
 
 } // namespace crowd::app

@@ -174,13 +174,7 @@ void Session::send(const std::string& event, float payload,
 
 void Session::sendTagged(const std::string& event, float payload, std::uint8_t tag)
 {
-    std::vector<model::IndividualId> ids;
-    for (std::uint32_t agent = 0; agent < m_parts->agents.size(); ++agent) {
-        if ((m_parts->rules.tags(agent) >> tag & 1U) != 0) {
-            ids.push_back(m_parts->population.ids()[agent]);
-        }
-    }
-    send(event, payload, ids);
+    send(event, payload, m_parts->tagged(tag));
 }
 
 void Session::perform(const model::Mark& mark)

@@ -123,6 +123,17 @@ void SessionParts::checkWays()
     problems.replaceOfWays(std::move(found));
 }
 
+std::vector<model::IndividualId> SessionParts::tagged(std::uint8_t tag) const
+{
+    std::vector<model::IndividualId> ids;
+    for (std::uint32_t agent = 0; agent < agents.size(); ++agent) {
+        if ((rules.tags(agent) >> tag & 1U) != 0) {
+            ids.push_back(population.ids()[agent]);
+        }
+    }
+    return ids;
+}
+
 void SessionParts::leave(std::uint32_t agent)
 {
     seating.leaveSeat(agent);

@@ -72,6 +72,8 @@ struct SessionParts
     void adoptGroups(const model::Scene& scene);
     /// Says anew what is wrong with where people are to walk.
     void checkWays();
+    /// Who has a tag in this session.
+    [[nodiscard]] std::vector<model::IndividualId> tagged(std::uint8_t tag) const;
     /// An agent leaves the scene.
     void leave(std::uint32_t agent);
 

@@ -42,7 +42,6 @@ private:
     void callCue(const model::Cue& cue);
     void recall(model::StateId id, const People* people, const model::RecallTiming& timing);
     [[nodiscard]] People everybody() const;
-    [[nodiscard]] People tagged(std::uint8_t tag) const;
     [[nodiscard]] People ofMark() const { return {m_mark.people.begin(), m_mark.people.end()}; }
 
     Session& m_session;
@@ -54,17 +53,6 @@ People Performance::everybody() const
 {
     const auto ids = m_parts.population.ids();
     return {ids.begin(), ids.end()};
-}
-
-People Performance::tagged(std::uint8_t tag) const
-{
-    People people;
-    for (std::uint32_t agent = 0; agent < m_parts.agents.size(); ++agent) {
-        if ((m_parts.rules.tags(agent) >> tag & 1U) != 0) {
-            people.push_back(m_parts.population.ids()[agent]);
-        }
-    }
-    return people;
 }
 
 void Performance::recall(model::StateId id, const People* people, const model::RecallTiming& timing)
@@ -88,7 +76,7 @@ void Performance::callCue(const model::Cue& cue)
     if (!m_mark.people.empty()) {
         people = ofMark();
     } else if (cue.reach == model::CueReach::Tagged) {
-        people = tagged(cue.tag);
+        people = m_parts.tagged(cue.tag);
     } else if (cue.reach == model::CueReach::Everybody) {
         people = everybody();
     } else {

@@ -10,6 +10,7 @@
 #include "model/document/SceneEdit.h"
 #include "model/rules/RuleSets.h"
 #include "widgets/state/Cues.h"
+#include "widgets/state/Scrub.h"
 
 namespace crowd::widgets {
 
@@ -190,10 +191,9 @@ void showNextMark(EditorState& state, bool isForward)
 
 void showMoment(EditorState& state, double seconds)
 {
-    const SessionControl& session = state.session();
-    const double last = std::max(session.liveSeconds(), state.transport().seconds());
-    const double first = std::min(session.firstSeconds(), last);
-    state.transport().setSeconds(std::clamp(seconds, first, last));
+    Scrub scrub(state);
+    const double last = scrub.last();
+    scrub.show(seconds);
     if (seconds > last + kSameMoment) {
         state.showStatus(MarkText::tr("It has been played up to %1 s: play on to see more.")
                              .arg(last, 0, 'f', 2));

@@ -69,7 +69,8 @@ double lengthOf(const Mark& mark)
 
 } // namespace
 
-TimelineView::TimelineView(EditorState& state, QWidget* parent) : QWidget(parent), m_state(state)
+TimelineView::TimelineView(EditorState& state, QWidget* parent)
+    : QWidget(parent), m_state(state), m_scrub(state)
 {
     setObjectName(QStringLiteral("timelineView"));
     setFocusPolicy(Qt::ClickFocus);
@@ -258,10 +259,8 @@ void TimelineView::mousePressEvent(QMouseEvent* event)
     }
     choose({});
     if (at.x() >= kNames) {
-        m_isSeeking = true;
-        m_playedBefore = m_state.transport().isPlaying();
-        m_state.transport().setPlaying(false);
-        seek(at.x());
+        m_scrub.begin();
+        m_scrub.show(m_scale.seconds(at.x() - kNames));
     }
 }
 
@@ -285,8 +284,8 @@ void TimelineView::beginDrag(const Mark& mark, const QMouseEvent& event)
 void TimelineView::mouseMoveEvent(QMouseEvent* event)
 {
     const QPoint at = event->position().toPoint();
-    if (m_isSeeking) {
-        seek(at.x());
+    if (m_scrub.isHeld()) {
+        m_scrub.show(m_scale.seconds(at.x() - kNames));
     } else if (m_drag && (event->buttons() & Qt::LeftButton) != 0) {
         const int way = at.x() - m_drag->from.x();
         m_drag->isMoving = m_drag->isMoving || std::abs(way) >= QApplication::startDragDistance();
@@ -320,9 +319,7 @@ void TimelineView::mouseReleaseEvent(QMouseEvent* event)
     if (event->button() != Qt::LeftButton) {
         return;
     }
-    if (std::exchange(m_isSeeking, false)) {
-        m_state.transport().setPlaying(m_playedBefore);
-    }
+    m_scrub.end();
     endDrag();
 }
 
@@ -398,14 +395,6 @@ void TimelineView::wheelEvent(QWheelEvent* event)
     update();
 }
 
-void TimelineView::seek(int x)
-{
-    const SessionControl& session = m_state.session();
-    const double last = std::max(session.liveSeconds(), m_state.transport().seconds());
-    const double first = std::min(session.firstSeconds(), last);
-    m_state.transport().setSeconds(std::clamp(m_scale.seconds(x - kNames), first, last));
-}
-
 void TimelineView::paintEvent(QPaintEvent* /*event*/)
 {
     QPainter painter(this);
@@ -432,10 +421,8 @@ void TimelineView::paintLanes(QPainter& painter) const
         painter.drawText(lane.adjusted(6, 0, 0, 0).intersected(QRect(0, 0, kNames - 4, height())),
                          Qt::AlignVCenter | Qt::AlignLeft, TimelineText::tr(kLanes[i].name));
     }
-    const SessionControl& session = m_state.session();
-    const double played = std::max(session.liveSeconds(), m_state.transport().seconds());
-    const int from = std::max(kNames, placeOf(session.firstSeconds()).x());
-    const int to = placeOf(played).x();
+    const int from = std::max(kNames, placeOf(m_scrub.first()).x());
+    const int to = placeOf(m_scrub.last()).x();
     QColor tint = colors.color(QPalette::Highlight);
     tint.setAlphaF(0.14F);
     if (to > from) {

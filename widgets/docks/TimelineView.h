@@ -7,6 +7,7 @@
 
 #include "widgets/commands/TimelineCommands.h"
 #include "widgets/docks/TimelineScale.h"
+#include "widgets/state/Scrub.h"
 
 namespace crowd::widgets {
 
@@ -64,7 +65,6 @@ private:
     void followScene();
     void fitAtFirst();
     void followTime(double seconds);
-    void seek(int x);
     void beginDrag(const model::Mark& mark, const QMouseEvent& event);
     void endDrag();
     [[nodiscard]] double earliestChosen() const;
@@ -86,9 +86,8 @@ private:
     model::Timeline m_ordered; ///< the scene's, in the order in which they happen
     MarkIds m_chosen;
     std::optional<Drag> m_drag;
+    Scrub m_scrub;
     bool m_isToFit = true; ///< all of it, once the widget has its size
-    bool m_isSeeking = false;
-    bool m_playedBefore = false;
 };
 
 } // namespace crowd::widgets
