@@ -2556,7 +2556,7 @@ class FeatureValue(Entry):
     color: str
     """in which the editor shows it; begins as '#969696'"""
     templates: List[int]
-    """ids of those it is limited to; none: all"""
+    """ids of those it is limited to; none: all; 0 to 65535"""
     clips: List[FeatureClip]
     """of which one is drawn for each"""
     sets_phase: bool

@@ -120,9 +120,9 @@ json fieldJson(const FieldInfo& field, const json& defaults)
     if (!refers.empty()) {
         described["refers"] = refers;
     }
-    const bool isNumber =
-        described["type"] == "int" || described["type"] == "float" || described["type"] == "ids";
-    if (isNumber && (refers.empty() || meta.role == FieldRole::Tag)) {
+    const bool isNumber = described["type"] == "int" || described["type"] == "float";
+    const bool isOfOwnRange = isNumber && (refers.empty() || meta.role == FieldRole::Tag);
+    if (isOfOwnRange || described["type"] == "ids") {
         described["low"] = meta.low;
         described["high"] = meta.high;
     }
