@@ -1003,6 +1003,54 @@
         <source>Show the panel of what happens when while it plays</source>
         <translation>Das Bedienfeld zeigen, in dem steht, was wann geschieht, während es läuft</translation>
     </message>
+    <message>
+        <source>Play &amp;from Here On</source>
+        <translation>Ab &amp;hier abspielen</translation>
+    </message>
+    <message>
+        <source>What is played begins at this moment</source>
+        <translation>Was abgespielt wird, beginnt in diesem Augenblick</translation>
+    </message>
+    <message>
+        <source>Play &amp;until Here</source>
+        <translation>B&amp;is hier abspielen</translation>
+    </message>
+    <message>
+        <source>What is played ends at this moment</source>
+        <translation>Was abgespielt wird, endet in diesem Augenblick</translation>
+    </message>
+    <message>
+        <source>Play &amp;All Time</source>
+        <translation>Die gan&amp;ze Zeit abspielen</translation>
+    </message>
+    <message>
+        <source>Play neither begins nor ends early</source>
+        <translation>Das Abspielen beginnt nicht später und endet nicht früher</translation>
+    </message>
+    <message>
+        <source>Play &amp;Over and Over</source>
+        <translation>I&amp;mmer wieder abspielen</translation>
+    </message>
+    <message>
+        <source>At the end of what is played it begins again</source>
+        <translation>Am Ende dessen, was abgespielt wird, beginnt es von vorn</translation>
+    </message>
+    <message>
+        <source>Show the Be&amp;ginning</source>
+        <translation>Den An&amp;fang zeigen</translation>
+    </message>
+    <message>
+        <source>The first moment of what is played, or has been</source>
+        <translation>Der erste Augenblick dessen, was abgespielt wird oder wurde</translation>
+    </message>
+    <message>
+        <source>Show the &amp;End</source>
+        <translation>Das En&amp;de zeigen</translation>
+    </message>
+    <message>
+        <source>The last moment of what is played, or has been</source>
+        <translation>Der letzte Augenblick dessen, was abgespielt wird oder wurde</translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -5552,6 +5600,14 @@
         <source>At %1 seconds the timeline calls a cue that is not there. Choose another one for that mark.</source>
         <translation>Bei %1 Sekunden gibt die Zeitleiste ein Stichwort, das es nicht gibt. Wählen Sie für diese Zeitmarke ein anderes.</translation>
     </message>
+    <message>
+        <source>At %1 seconds the timeline speaks to characters of whom none is there any more. Remove that mark.</source>
+        <translation>Bei %1 Sekunden spricht die Zeitleiste Figuren an, von denen keine mehr da ist. Entfernen Sie diese Zeitmarke.</translation>
+    </message>
+    <message>
+        <source>At %1 seconds the timeline sends an event without a name. Choose one for that mark.</source>
+        <translation>Bei %1 Sekunden sendet die Zeitleiste ein Ereignis ohne Namen. Wählen Sie eines für diese Zeitmarke.</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -7870,6 +7926,18 @@
         <source>Send an Event Here</source>
         <translation>Hier ein Ereignis senden</translation>
     </message>
+    <message>
+        <source>Rules</source>
+        <translation>Regeln</translation>
+    </message>
+    <message>
+        <source>Select characters: when which rules fired for them</source>
+        <translation>Wählen Sie Figuren aus: wann welche Regeln für sie ausgelöst wurden</translation>
+    </message>
+    <message>
+        <source>Double click in a lane: what is to happen then. Or record: cues that are pressed, states that are recalled and events that are painted while it plays come here.</source>
+        <translation>Doppelklick in eine Spur: was dann geschehen soll. Oder nehmen Sie auf: Stichwörter, die gedrückt, Zustände, die abgerufen, und Ereignisse, die beim Abspielen gemalt werden, kommen hierher.</translation>
+    </message>
 </context>
 <context>
     <name>TimelineCommands</name>
@@ -7924,6 +7992,10 @@
     <message>
         <source>missing cue</source>
         <translation>Stichwort fehlt</translation>
+    </message>
+    <message>
+        <source>Change the play range</source>
+        <translation>Abspielbereich ändern</translation>
     </message>
 </context>
 <context>
@@ -11326,6 +11398,20 @@ Verworfen ist sie fort.</translation>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::SelectedFirings</name>
+    <message>
+        <source>a rule</source>
+        <translation>eine Regel</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, at %2 s, for %n character(s)</source>
+        <translation>
+            <numerusform>%1, bei %2 s, für eine Figur</numerusform>
+            <numerusform>%1, bei %2 s, für %n Figuren</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::SessionControl</name>
     <message numerus="yes">
         <source>Keep the pose of %n character(s)</source>
@@ -11691,6 +11777,29 @@ Verworfen ist sie fort.</translation>
         <source>Change a mark</source>
         <translation>Zeitmarke ändern</translation>
     </message>
+    <message>
+        <source>What is played begins at this moment</source>
+        <translation>Was abgespielt wird, beginnt in diesem Augenblick</translation>
+    </message>
+    <message>
+        <source>What is played ends at this moment</source>
+        <translation>Was abgespielt wird, endet in diesem Augenblick</translation>
+    </message>
+    <message>
+        <source>Play over and over</source>
+        <translation>Immer wieder abspielen</translation>
+    </message>
+    <message>
+        <source>⚠ %1</source>
+        <translation>⚠ %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more.</source>
+        <translation>
+            <numerusform>Und eine weitere.</numerusform>
+            <numerusform>Und %n weitere.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::TimelineView</name>
@@ -11719,8 +11828,20 @@ Verworfen ist sie fort.</translation>
         <translation>Alles zeigen</translation>
     </message>
     <message>
-        <source>Double click in a lane: what is to happen then. Or record: cues that are pressed, states that are recalled and events that are painted while it plays come here.</source>
-        <translation>Doppelklick in eine Spur: was dann geschehen soll. Oder aufnehmen: Stichwörter, Zustände und Ereignisse, die gegeben werden, während es läuft, kommen hierher.</translation>
+        <source>Drag to see what has been played; with Shift held, what is to be played</source>
+        <translation>Ziehen zeigt, was abgespielt wurde; mit Umschalt wird gewählt, was abgespielt wird</translation>
+    </message>
+    <message>
+        <source>Play from Here On</source>
+        <translation>Ab hier abspielen</translation>
+    </message>
+    <message>
+        <source>Play until Here</source>
+        <translation>Bis hier abspielen</translation>
+    </message>
+    <message>
+        <source>Play All Time</source>
+        <translation>Die ganze Zeit abspielen</translation>
     </message>
 </context>
 <context>

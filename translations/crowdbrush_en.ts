@@ -1003,6 +1003,54 @@
         <source>Show the panel of what happens when while it plays</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Play &amp;from Here On</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is played begins at this moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play &amp;until Here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is played ends at this moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play &amp;All Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play neither begins nor ends early</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play &amp;Over and Over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the end of what is played it begins again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the Be&amp;ginning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first moment of what is played, or has been</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the &amp;End</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last moment of what is played, or has been</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -5552,6 +5600,14 @@
         <source>At %1 seconds the timeline calls a cue that is not there. Choose another one for that mark.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>At %1 seconds the timeline speaks to characters of whom none is there any more. Remove that mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At %1 seconds the timeline sends an event without a name. Choose one for that mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -7870,6 +7926,18 @@
         <source>Send an Event Here</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select characters: when which rules fired for them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double click in a lane: what is to happen then. Or record: cues that are pressed, states that are recalled and events that are painted while it plays come here.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>TimelineCommands</name>
@@ -7923,6 +7991,10 @@
     </message>
     <message>
         <source>missing cue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the play range</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11319,6 +11391,20 @@ Thrown away, it is gone.</source>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::SelectedFirings</name>
+    <message>
+        <source>a rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, at %2 s, for %n character(s)</source>
+        <translation>
+            <numerusform>%1, at %2 s, for one character</numerusform>
+            <numerusform>%1, at %2 s, for %n characters</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::SessionControl</name>
     <message numerus="yes">
         <source>Keep the pose of %n character(s)</source>
@@ -11684,6 +11770,29 @@ Thrown away, it is gone.</source>
         <source>Change a mark</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>What is played begins at this moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is played ends at this moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play over and over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⚠ %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more.</source>
+        <translation>
+            <numerusform>And one more.</numerusform>
+            <numerusform>And %n more.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::TimelineView</name>
@@ -11712,7 +11821,19 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Double click in a lane: what is to happen then. Or record: cues that are pressed, states that are recalled and events that are painted while it plays come here.</source>
+        <source>Drag to see what has been played; with Shift held, what is to be played</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play from Here On</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play until Here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play All Time</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

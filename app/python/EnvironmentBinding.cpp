@@ -112,8 +112,9 @@ void bindEnvironment(SceneClass& scene)
         .def_property_readonly(
             "environment", &environment,
             "A dict of lists as the project file has them: places, paths, groups, tags, "
-            "rules, numbers, cues, the surface to walk on, and stepsPerSecond. scene.rules and "
-            "so on give the lists as typed classes.")
+            "rules, numbers, cues, the surface to walk on, stepsPerSecond, and playRange (begin, "
+            "end in seconds, and loop: what the editor plays). scene.rules and so on give the "
+            "lists as typed classes.")
         .def(
             "set_environment", &setEnvironmentGiven, py::arg("environment"), py::kw_only(),
             py::arg("strict") = true,

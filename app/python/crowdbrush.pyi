@@ -1425,8 +1425,9 @@ class Scene:
     @property
     def environment(self) -> Any:
         """A dict of lists as the project file has them: places, paths, groups, tags, rules,
-        numbers, cues, the surface to walk on, and stepsPerSecond. scene.rules and so on give
-        the lists as typed classes."""
+        numbers, cues, the surface to walk on, stepsPerSecond, and playRange (begin, end in
+        seconds, and loop: what the editor plays). scene.rules and so on give the lists as
+        typed classes."""
     def set_environment(self, environment: Union[str, Dict[str, Any]], *, strict: bool = ...) -> None:
         """Lists of places, paths, groups, tags, rules and so on as in environment, or the same
         as JSON text; what is not in it stays. What stands in them are dicts, or Rule, Place
@@ -2837,7 +2838,7 @@ class Look(Entry):
 
 class Mark(Entry):
     """A moment of the timeline, and what happens then."""
-    def __init__(self, *, id: int, name: str = ..., seconds: float = ..., kind: Literal["marker", "cue", "state", "event"] = ..., cue: Union[int, Cue] = ..., state: int = ..., fade: float = ..., spread: float = ..., order: Literal["distance", "heading", "row", "wedge", "random"] = ..., point: Sequence[float] = ..., heading: float = ..., event: str = ..., payload: float = ..., people: Sequence[Any] = ...) -> None:
+    def __init__(self, *, id: int, name: str = ..., seconds: float = ..., kind: Literal["marker", "cue", "state", "event"] = ..., cue: Union[int, Cue] = ..., state: int = ..., fade: float = ..., spread: float = ..., order: Literal["distance", "heading", "row", "wedge", "random"] = ..., point: Sequence[float] = ..., heading: float = ..., event: str = ..., payload: float = ..., people: Sequence[Any] = ..., delays: Sequence[Any] = ...) -> None:
         ...
     id: int
     """of no other mark of the scene; must be given"""
@@ -2869,6 +2870,9 @@ class Mark(Entry):
     people: List[int]
     """ids of those whom it is for; empty: whomever the cue reaches, all of the state, everybody;
     1 to 2.14748e9"""
+    delays: List[int]
+    """of "event": milliseconds after that at which each of people hears it; empty: all at once;
+    0 to 3.6e6"""
 
 
 class Rule(Entry):

@@ -169,12 +169,15 @@ void MovieController::make(glm::ivec2 view)
         return;
     }
     const widgets::SessionControl& session = m_state.session();
-    MovieDialog::Offer offer{view, {}, {}};
+    MovieDialog::Offer offer{view, {}};
     for (const model::NamedCamera& camera : m_state.scene().cameras) {
         offer.cameras << QString::fromStdString(camera.name);
     }
     if (session.isRunning() && session.liveSeconds() > session.firstSeconds()) {
         offer.run = TimeSpan{session.firstSeconds(), session.liveSeconds()};
+    }
+    if (const model::PlayRange& range = m_state.scene().playRange; range.isSet()) {
+        offer.range = TimeSpan{range.begin, range.end};
     }
     MovieDialog dialog(offer, m_window);
     if (dialog.exec() != QDialog::Accepted) {

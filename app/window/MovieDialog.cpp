@@ -108,9 +108,12 @@ void MovieDialog::addRate(QFormLayout& form)
 void MovieDialog::chooseSource()
 {
     const double seconds = QSettings().value(kMovieSeconds, kUsualSeconds).toDouble();
-    const TimeSpan offered = isOfRun() ? *m_offer.run : TimeSpan{0.0, seconds};
-    const double least = isOfRun() ? offered.from : 0.0;
-    const double most = isOfRun() ? offered.to : kMostSeconds;
+    const double least = isOfRun() ? m_offer.run->from : 0.0;
+    const double most = isOfRun() ? m_offer.run->to : kMostSeconds;
+    TimeSpan offered = isOfRun() ? *m_offer.run : TimeSpan{0.0, seconds};
+    if (m_offer.range && m_offer.range->from < most && m_offer.range->to > least) {
+        offered = {std::max(least, m_offer.range->from), std::min(most, m_offer.range->to)};
+    }
     for (QDoubleSpinBox* box : {m_from, m_to}) {
         const QSignalBlocker blocker(box);
         box->setRange(least, most);

@@ -26,7 +26,7 @@ struct TimeSpan
 
 /// What File > Make Movie asks before it asks for a name: of what, from when to when, how many
 /// pictures a second, their size, and the camera. Proposes what was chosen last, and the whole run
-/// where there is one.
+/// where there is one; of either no more than the scene's play range.
 class MovieDialog : public QDialog
 {
     Q_OBJECT
@@ -34,9 +34,10 @@ class MovieDialog : public QDialog
 public:
     struct Offer
     {
-        glm::ivec2 view{1280, 720};    ///< size of the picture in the window, physical pixels
-        QStringList cameras;           ///< of the scene
-        std::optional<TimeSpan> run{}; ///< what has been played; none: nothing
+        glm::ivec2 view{1280, 720};      ///< size of the picture in the window, physical pixels
+        QStringList cameras;             ///< of the scene
+        std::optional<TimeSpan> run{};   ///< what has been played; none: nothing
+        std::optional<TimeSpan> range{}; ///< what of all time is played; none: all
     };
     MovieDialog(const Offer& offer, QWidget* parent);
 

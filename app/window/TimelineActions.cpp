@@ -27,6 +27,33 @@ const WindowAction kTimelineActions[] = {
     {{"mark-next", QT_TRANSLATE_NOOP("Actions", "&Next Mark"), "mark-next", "Ctrl+Shift+Right",
       QT_TRANSLATE_NOOP("Actions", "Show the moment of the mark after this one")},
      [](MainWindow& w, bool) { widgets::showNextMark(w.state(), true); }},
+    {{"range-begin", QT_TRANSLATE_NOOP("Actions", "Play &from Here On"), "range-begin",
+      "Ctrl+Shift+Home", QT_TRANSLATE_NOOP("Actions", "What is played begins at this moment")},
+     [](MainWindow& w, bool) {
+         widgets::beginPlayRange(w.state(), w.state().transport().seconds());
+     }},
+    {{"range-end", QT_TRANSLATE_NOOP("Actions", "Play &until Here"), "range-end", "Ctrl+Shift+End",
+      QT_TRANSLATE_NOOP("Actions", "What is played ends at this moment")},
+     [](MainWindow& w, bool) {
+         widgets::endPlayRange(w.state(), w.state().transport().seconds());
+     }},
+    {{"range-all", QT_TRANSLATE_NOOP("Actions", "Play &All Time"), "range-all", "",
+      QT_TRANSLATE_NOOP("Actions", "Play neither begins nor ends early")},
+     [](MainWindow& w, bool) { widgets::setPlayRange(w.state(), {}); },
+     {.inputs = ActionInput::History,
+      .isEnabled = [](MainWindow& w) { return w.state().scene().playRange.isSet(); }}},
+    {{"play-loop", QT_TRANSLATE_NOOP("Actions", "Play &Over and Over"), "loop", "Ctrl+Shift+O",
+      QT_TRANSLATE_NOOP("Actions", "At the end of what is played it begins again"), true},
+     [](MainWindow& w, bool on) { widgets::setPlayLoop(w.state(), on); },
+     {.inputs = ActionInput::History,
+      .isChecked = [](MainWindow& w) { return w.state().scene().playRange.isLoop; }}},
+    {{"range-first", QT_TRANSLATE_NOOP("Actions", "Show the Be&ginning"), "range-first",
+      "Ctrl+Alt+Home",
+      QT_TRANSLATE_NOOP("Actions", "The first moment of what is played, or has been")},
+     [](MainWindow& w, bool) { widgets::showRangeEdge(w.state(), false); }},
+    {{"range-last", QT_TRANSLATE_NOOP("Actions", "Show the &End"), "range-last", "Ctrl+Alt+End",
+      QT_TRANSLATE_NOOP("Actions", "The last moment of what is played, or has been")},
+     [](MainWindow& w, bool) { widgets::showRangeEdge(w.state(), true); }},
 };
 
 } // namespace

@@ -10,7 +10,7 @@ namespace crowd::behavior {
 
 namespace {
 
-constexpr std::size_t kMaxEntries = 4096;
+constexpr std::size_t kMaxEntries = 16'384;
 constexpr double kHighlightSeconds = 0.5;
 constexpr double kNotHighlighted = -1.0;
 

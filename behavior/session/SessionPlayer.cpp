@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kReadySeconds = 1.2; ///< before the last step: they need not be unpacked
 constexpr double kSlack = 1e-9;       ///< seconds; sums of steps are not exact
-constexpr std::size_t kMaxLog = 20000;
+constexpr std::size_t kMaxLog = 200'000;
 
 } // namespace
 

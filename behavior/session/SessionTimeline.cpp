@@ -3,15 +3,12 @@
 
 #include <algorithm>
 #include <iterator>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include <QtCore/QString>
-
 #include "behavior/session/Session.h"
 #include "behavior/session/SessionParts.h"
-#include "model/base/ShownText.h"
+#include "model/rules/MarkFlaws.h"
 #include "model/states/StateKeeping.h"
 
 namespace crowd::behavior {
@@ -21,12 +18,6 @@ namespace {
 constexpr double kSameInstant = 1e-9; ///< seconds; sums of steps are not exact
 
 using People = std::vector<model::IndividualId>;
-
-/// As the artist finds it in the timeline.
-std::string shownTime(const model::Mark& mark)
-{
-    return QString::number(mark.seconds, 'f', 2).toStdString();
-}
 
 /// One mark that happens.
 class Performance
@@ -59,15 +50,10 @@ void Performance::recall(model::StateId id, const People* people, const model::R
 {
     const auto& states = m_parts.lastScene.states;
     const auto state = std::ranges::find(states, id, &model::State::id);
-    if (state == states.end()) {
-        m_parts.problems.add(
-            {{QT_TRANSLATE_NOOP("Messages", "At %1 seconds the timeline recalls a state that "
-                                            "is not there. Choose another one for that mark."),
-              shownTime(m_mark)}});
-        return;
+    if (state != states.end()) {
+        (void)m_session.recall(
+            {id, peopleOf(m_parts.lastScene, *state, people), state->columns, timing});
     }
-    (void)m_session.recall(
-        {id, peopleOf(m_parts.lastScene, *state, people), state->columns, timing});
 }
 
 void Performance::callCue(const model::Cue& cue)
@@ -80,12 +66,7 @@ void Performance::callCue(const model::Cue& cue)
     } else if (cue.reach == model::CueReach::Everybody) {
         people = everybody();
     } else {
-        m_parts.problems.add(
-            {{QT_TRANSLATE_NOOP("Messages", "At %1 seconds the timeline calls the cue “%2”, "
-                                            "which speaks to the selected: the mark names "
-                                            "nobody. Let the cue reach everybody, or a tag."),
-              shownTime(m_mark), model::shortened(cue.name)}});
-        return;
+        return; // the selected are not the session's to know
     }
     if (cue.state != 0) {
         recall(cue.state, &people,
@@ -98,6 +79,9 @@ void Performance::callCue(const model::Cue& cue)
 
 void Performance::run()
 {
+    if (model::Message flaw = flawOf(m_parts.lastScene, m_mark); !flaw.empty()) {
+        m_parts.problems.add({std::move(flaw)});
+    }
     const People people = ofMark();
     if (m_mark.kind == model::MarkKind::State) {
         recall(m_mark.state, people.empty() ? nullptr : &people, m_mark.timing());
@@ -108,12 +92,6 @@ void Performance::run()
         const auto cue = std::ranges::find(cues, m_mark.cue, &model::Cue::id);
         if (cue != cues.end()) {
             callCue(*cue);
-        } else {
-            m_parts.problems.add(
-                {{QT_TRANSLATE_NOOP("Messages",
-                                    "At %1 seconds the timeline calls a cue that is not there. "
-                                    "Choose another one for that mark."),
-                  shownTime(m_mark)}});
         }
     }
 }
@@ -125,7 +103,7 @@ void DueMarks::read(const model::Timeline& timeline)
     model::Timeline acting;
     for (const model::Mark& mark : timeline) {
         if (mark.kind != model::MarkKind::Marker) {
-            acting.push_back(mark);
+            std::ranges::move(atOneMomentEach(mark), std::back_inserter(acting));
         }
     }
     m_ahead = inOrder(std::move(acting));

@@ -115,7 +115,7 @@ Result<void> checkField(const FieldInfo& field, const FieldValue& value, const s
             [&](const std::vector<TemplateWeight>& mix) { return checkWeights(mix, name); },
             [&](const DistributionCurve& curve) { return checkEach(meta, curve.weights, name); },
             [&](const std::vector<int>& numbers) -> Result<void> {
-                if (!std::ranges::is_sorted(numbers)) {
+                if (meta.role != FieldRole::Sequence && !std::ranges::is_sorted(numbers)) {
                     return Error{QT_TRANSLATE_NOOP("Messages", "%1 must be in ascending order."),
                                  name};
                 }

@@ -116,6 +116,7 @@ struct Scene
     std::vector<RelationKind> relationKinds = readyRelations(); ///< ascending ids
     RelationTable relations; ///< of people and kinds that are there
     Timeline timeline;       ///< ascending ids
+    PlayRange playRange;
     SurfaceSettings surface;
     std::uint32_t seed = 1;
     std::uint32_t stepsPerSecond = kStepRates.front(); ///< of a session

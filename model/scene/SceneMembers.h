@@ -126,6 +126,10 @@ struct Timeline : SceneMember<&Scene::timeline, TimelineChanged, MemberKind::Val
 {
     static constexpr const char* key = "timeline";
 };
+struct Range : SceneMember<&Scene::playRange, TimelineChanged, MemberKind::Value>
+{
+    static constexpr const char* key = "playRange";
+};
 
 } // namespace members
 
@@ -135,7 +139,7 @@ using SceneMembers =
                members::Groups, members::Cameras, members::Light, members::Lights, members::Looks,
                members::Tags, members::Rules, members::Numbers, members::Cues, members::Steps,
                members::Surface, members::Features, members::RelationKinds, members::Relations,
-               members::States, members::Timeline>;
+               members::States, members::Timeline, members::Range>;
 
 inline constexpr std::size_t kMemberCount = std::tuple_size_v<SceneMembers>;
 

@@ -3,9 +3,20 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <tuple>
+#include <utility>
 
 namespace crowd::model {
+
+namespace {
+
+double secondsOf(int milliseconds)
+{
+    return static_cast<double>(milliseconds) / 1000.0;
+}
+
+} // namespace
 
 void Mark::setTiming(const RecallTiming& timing)
 {
@@ -35,6 +46,36 @@ Timeline inOrder(Timeline timeline)
         return std::tie(a.seconds, a.id) < std::tie(b.seconds, b.id);
     });
     return timeline;
+}
+
+double Mark::length() const
+{
+    double length = 0.0;
+    if (kind == MarkKind::State) {
+        length = static_cast<double>(fade + spread);
+    } else if (kind == MarkKind::Event && !delays.empty()) {
+        length = secondsOf(std::ranges::max(delays));
+    }
+    return length;
+}
+
+Timeline atOneMomentEach(const Mark& mark)
+{
+    if (mark.kind != MarkKind::Event || mark.delays.empty() || mark.people.empty()) {
+        return {mark};
+    }
+    std::map<int, std::vector<int>> heard; // by how much later
+    for (std::size_t i = 0; i < mark.people.size(); ++i) {
+        heard[i < mark.delays.size() ? mark.delays[i] : 0].push_back(mark.people[i]);
+    }
+    Timeline parts;
+    for (auto& [delay, people] : heard) {
+        Mark& part = parts.emplace_back(mark);
+        part.seconds += secondsOf(delay);
+        part.people = std::move(people);
+        part.delays.clear();
+    }
+    return parts;
 }
 
 bool doesAnything(const Timeline& timeline)

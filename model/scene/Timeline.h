@@ -35,6 +35,7 @@ inline constexpr double kLatestMark = 604'800.0;
 inline constexpr std::size_t kMostMarks = 100'000;
 /// That a mark names: files hold no longer lists.
 inline constexpr std::size_t kMostMarkPeople = 100'000;
+inline constexpr int kLatestDelay = 3'600'000; ///< milliseconds
 
 struct Mark
 {
@@ -54,9 +55,14 @@ struct Mark
     /// Whom it is for, ascending; they may be gone. Empty: whomever the cue reaches, all of the
     /// state, everybody.
     std::vector<int> people;
+    /// Of Event: how much later each of people hears it, milliseconds; none where there is no
+    /// entry.
+    std::vector<int> delays;
     std::string unknownMembers{}; ///< see Scene::unknownMembers
 
     static constexpr auto fields();
+    /// From the first that happens to the last, seconds.
+    [[nodiscard]] double length() const;
     /// How people take on the state.
     [[nodiscard]] RecallTiming timing() const
     {
@@ -78,6 +84,22 @@ using Timeline = std::vector<Mark>;
 [[nodiscard]] Timeline inOrder(Timeline timeline);
 /// Whether some of them does something.
 [[nodiscard]] bool doesAnything(const Timeline& timeline);
+/// What happens at one moment each: an event that people hear one after the other becomes several
+/// marks with the same id, each for those who hear it then.
+[[nodiscard]] Timeline atOneMomentEach(const Mark& mark);
+
+/// Which part of the time is played, over and over if wanted. Seconds of the clock.
+struct PlayRange
+{
+    double begin = 0.0;
+    double end = 0.0; ///< not after the beginning: all time is played
+    bool isLoop = false;
+    std::string unknownMembers{}; ///< see Scene::unknownMembers
+
+    static constexpr auto fields();
+    [[nodiscard]] bool isSet() const { return end > begin; }
+    friend bool operator==(const PlayRange&, const PlayRange&) = default;
+};
 
 inline constexpr std::array kMarkKinds{
     FieldChoice{"marker", QT_TRANSLATE_NOOP("Fields", "nothing: a marker"),
@@ -181,7 +203,25 @@ constexpr auto Mark::fields()
                               .doc = "ids of those whom it is for; empty: whomever the cue "
                                      "reaches, all of the state, everybody",
                               .low = 1.0,
-                              .high = 2147483647.0}));
+                              .high = 2147483647.0}),
+        field(&Mark::delays, {.key = "delays",
+                              .doc = "of \"event\": milliseconds after that at which each of "
+                                     "people hears it; empty: all at once",
+                              .high = kLatestDelay,
+                              .role = FieldRole::Sequence}));
+}
+
+constexpr auto PlayRange::fields()
+{
+    return std::tuple(
+        field(&PlayRange::begin,
+              {.key = "begin", .doc = "seconds of the clock", .high = kLatestMark}),
+        field(&PlayRange::end, {.key = "end",
+                                .doc = "seconds of the clock; not after the beginning: all time "
+                                       "is played",
+                                .high = kLatestMark}),
+        field(&PlayRange::isLoop,
+              {.key = "loop", .doc = "whether it begins again at the end, rather than pauses"}));
 }
 
 } // namespace crowd::model

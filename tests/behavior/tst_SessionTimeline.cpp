@@ -92,6 +92,7 @@ private Q_SLOTS:
     void whatHasHappenedDoesNotHappenAgain();
     void whatWasBeforeTheBeginningDoesNotHappen();
     void itIsBehaviour();
+    void whatIsSprayedIsHeardOneAfterTheOther();
     void whatIsGoneIsSaid();
 };
 
@@ -218,6 +219,23 @@ void TestSessionTimeline::itIsBehaviour()
     QVERIFY(scene.hasBehaviour());
 }
 
+void TestSessionTimeline::whatIsSprayedIsHeardOneAfterTheOther()
+{
+    Scene scene = sceneThatListens();
+    scene.timeline = {eventAt(0.5)};
+    scene.timeline.front().people = {1, 3, 4};
+    scene.timeline.front().delays = {500, 0, 233}; // 233 ms: the seventh step
+    Session session(scene);
+    run(session, kStepsPerSecond / 2 + 1);
+    QVERIFY(howManyAreTagged(session) == 1 && hasTag(session, 2, 3));
+    run(session, 6);
+    QCOMPARE(howManyAreTagged(session), 1);
+    run(session, 1);
+    QVERIFY(howManyAreTagged(session) == 2 && hasTag(session, 3, 3));
+    run(session, kStepsPerSecond);
+    QVERIFY(howManyAreTagged(session) == 3 && hasTag(session, 0, 3));
+}
+
 void TestSessionTimeline::whatIsGoneIsSaid()
 {
     Scene scene = sceneThatListens();
@@ -245,6 +263,14 @@ void TestSessionTimeline::whatIsGoneIsSaid()
     Session one(scene);
     run(one, 10);
     QCOMPARE(howManyAreTagged(one), 1);
+    scene.timeline.front().people = {77};
+    Session none(scene);
+    run(none, 10);
+    QVERIFY(says(none, "characters of whom none is there"));
+    scene.timeline = {eventAt(0.1, "")};
+    Session nameless(scene);
+    run(nameless, 10);
+    QVERIFY(says(nameless, "an event without a name"));
 }
 
 CROWD_TEST(TestSessionTimeline)

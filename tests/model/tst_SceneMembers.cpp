@@ -114,6 +114,11 @@ void alter(members::Timeline, SceneEdit& edit)
     edit.set<members::Timeline>({mark});
 }
 
+void alter(members::Range, SceneEdit& edit)
+{
+    edit.set<members::Range>({.begin = 2.0, .end = 7.5, .isLoop = true});
+}
+
 void alter(members::Features, SceneEdit& edit)
 {
     FeatureKind kind;

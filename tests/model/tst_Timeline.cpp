@@ -49,6 +49,8 @@ private Q_SLOTS:
     void filesKeepIt();
     void oddFilesAreRefused_data();
     void oddFilesAreRefused();
+    void oddRangesAreRefused();
+    void whatIsSprayedIsHeardOneAfterTheOther();
     void newMarksComeLast();
     void whatIsAtOneTimeHappensInOrder();
     void newStatesAreNotTakenForThoseThatAreGone();
@@ -64,15 +66,18 @@ void TestTimeline::filesKeepIt()
     event.event = "wave";
     event.payload = -2.5F;
     event.people = {1, 7, 2147483647};
+    event.delays = {300, 0, 33};
     Mark state = markAt(1.0 / 3.0, 8);
     state.kind = MarkKind::State;
     state.state = 4;
     state.setTiming({1.5F, {6.0F, StaggerOrder::Heading, {1.0F, 0.0F, -2.0F}, 0.25F}});
     scene.timeline = {event, state};
+    scene.playRange = {.begin = 1.5, .end = 8.25, .isLoop = true};
     const std::string text = projectText(scene);
     const auto read = projectFromText(text);
     QVERIFY(read.isOk() && isSame(read.value().timeline, scene.timeline));
     QVERIFY(read.value().timeline[1].timing() == state.timing());
+    QVERIFY(read.value().playRange == scene.playRange);
     QVERIFY(projectText(read.value()) == text);
 }
 
@@ -90,6 +95,7 @@ void TestTimeline::oddFilesAreRefused_data()
     odd("twice", R"([{"id": 2}, {"id": 2}])", "the id 2 is given twice");
     odd("no id", R"([{"id": 0}])", "timeline");
     odd("nobody", R"([{"id": 1, "people": ["Anna"]}])", "timeline[0].people");
+    odd("nobody knows when", R"([{"id": 1, "delays": ["late"]}])", "timeline[0].delays");
     odd("no list", R"({"id": 1})", "timeline must be a list");
     odd("no object", R"([7])", "timeline[0]");
     odd("for ever", R"([{"id": 1, "fade": 1e9}])", "timeline[0].fade");
@@ -103,6 +109,39 @@ void TestTimeline::oddFilesAreRefused()
     QVERIFY(!read);
     const QString message = QString::fromStdString(read.error().message);
     QVERIFY2(message.contains(said), qPrintable(message));
+}
+
+void TestTimeline::oddRangesAreRefused()
+{
+    Scene scene;
+    scene.playRange.end = 4.5;
+    const std::string text = projectText(scene);
+    const std::size_t end = text.find("4.5");
+    QVERIFY(end != std::string::npos);
+    for (const char* odd : {"-1", "1e30", "\"soon\"", "null"}) {
+        const auto read = projectFromText(std::string(text).replace(end, 3, odd));
+        QVERIFY2(!read && QString::fromStdString(read.error().message)
+                              .contains(QStringLiteral("playRange.end")),
+                 odd);
+    }
+    QVERIFY(!projectFromText(std::string(text).replace(end, 3, "[7]")));
+    scene.playRange = {.begin = 3.0, .end = 3.0};
+    QVERIFY(!scene.playRange.isSet());
+}
+
+void TestTimeline::whatIsSprayedIsHeardOneAfterTheOther()
+{
+    Mark mark = markAt(2.0, 3);
+    mark.kind = MarkKind::Event;
+    mark.people = {1, 2, 5, 9};
+    QCOMPARE(atOneMomentEach(mark).size(), std::size_t{1});
+    mark.delays = {500, 0, 500}; // a list that is too short: the last at once
+    const Timeline parts = atOneMomentEach(mark);
+    QCOMPARE(parts.size(), std::size_t{2});
+    QVERIFY(parts[0].seconds == 2.0 && (parts[0].people == std::vector<int>{2, 9}));
+    QVERIFY(parts[1].seconds == 2.5 && (parts[1].people == std::vector<int>{1, 5}));
+    QVERIFY(parts[1].id == 3 && parts[1].delays.empty());
+    QCOMPARE(mark.length(), 0.5);
 }
 
 void TestTimeline::newMarksComeLast()

@@ -4,13 +4,16 @@
 #include <QtGui/QUndoStack>
 #include <QtTest/QTest>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QToolButton>
 
+#include "model/document/SceneEdit.h"
 #include "model/rules/RuleSets.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "widgets/docks/FieldForm.h"
 #include "widgets/docks/TimelineDock.h"
+#include "widgets/docks/TimelineLanes.h"
 #include "widgets/docks/TimelineView.h"
 #include "widgets/state/Cues.h"
 
@@ -110,6 +113,11 @@ private Q_SLOTS:
     void itGoesFromMarkToMark();
     void timesAreShownInFrames();
     void theWheelZooms();
+    void aRangeIsPlayedOverAndOver();
+    void playPausesAtTheEndOfTheRange();
+    void whatIsSprayedIsOneMark();
+    void theStripShowsWhatRulesDid();
+    void whatIsWrongIsSaid();
     void anotherSceneHasItsOwn();
 };
 
@@ -316,6 +324,144 @@ void TestTimelineDock::theWheelZooms()
     QVERIFY(desk.view().placeOf(0.0).x() < at.x() - 50);
     QTest::mouseClick(desk.button("timelineAll"), Qt::LeftButton);
     QCOMPARE(desk.view().placeOf(0.0).x(), at.x());
+}
+
+void TestTimelineDock::aRangeIsPlayedOverAndOver()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    const auto range = [&desk] { return desk.document.scene().playRange; };
+    desk.drag(desk.view().placeOf(1.0), desk.view().placeOf(2.0), Qt::ShiftModifier);
+    QVERIFY(isNear(range().begin, 1.0) && isNear(range().end, 2.0) && !range().isLoop);
+    QTest::mouseClick(desk.button("playLoop"), Qt::LeftButton);
+    QVERIFY(range().isLoop && isNear(range().end, 2.0));
+    // The handle stands before the end.
+    desk.drag(desk.view().placeOf(range().end) + QPoint(-2, 4),
+              desk.view().placeOf(1.5) + QPoint(0, 4));
+    QVERIFY(isNear(range().begin, 1.0) && isNear(range().end, 1.5));
+    desk.playTo(1.3);
+    const double latest = range().end;
+    desk.state.transport().setPlaying(true);
+    bool hasBegunAgain = false;
+    double before = desk.state.transport().seconds();
+    const bool isOver = QTest::qWaitFor(
+        [&] {
+            desk.state.session().advance(0.02);
+            const double now = desk.state.transport().seconds();
+            hasBegunAgain = hasBegunAgain || now < before;
+            before = now;
+            return hasBegunAgain && now > 1.3;
+        },
+        kTimelinePatienceMs);
+    QVERIFY(isOver && desk.state.transport().isPlaying());
+    QVERIFY(desk.state.session().liveSeconds() <= latest + 1e-9); // nothing new was played
+    desk.document.undoStack().undo();
+    QVERIFY(isNear(range().end, 2.0) && range().isLoop);
+    desk.document.undoStack().undo();
+    QVERIFY(!desk.button("playLoop")->isChecked());
+    QTest::mouseClick(desk.button("playLoop"), Qt::LeftButton);
+    setPlayRange(desk.state, {});
+    QVERIFY(!range().isSet() && !desk.button("playLoop")->isChecked());
+}
+
+void TestTimelineDock::playPausesAtTheEndOfTheRange()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    beginPlayRange(desk.state, 0.2);
+    endPlayRange(desk.state, 0.6);
+    Transport& transport = desk.state.transport();
+    const auto play = [&] {
+        transport.setPlaying(true);
+        return QTest::qWaitFor(
+            [&] {
+                desk.state.session().advance(0.02);
+                return !transport.isPlaying();
+            },
+            kTimelinePatienceMs);
+    };
+    QVERIFY(play());
+    QCOMPARE(transport.seconds(), 0.6);
+    transport.setPlaying(true); // from its beginning
+    desk.state.session().advance(0.02);
+    QVERIFY2(transport.seconds() < 0.3, qPrintable(QString::number(transport.seconds())));
+    QVERIFY(play());
+    QCOMPARE(transport.seconds(), 0.6);
+    showRangeEdge(desk.state, false);
+    QCOMPARE(transport.seconds(), 0.2);
+    showRangeEdge(desk.state, true);
+    QCOMPARE(transport.seconds(), 0.6);
+}
+
+void TestTimelineDock::whatIsSprayedIsOneMark()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    desk.state.session().recorder().setOn(true);
+    desk.playTo(0.3);
+    {
+        const auto edit = desk.document.beginEdit(); // as a stroke has it
+        QVERIFY(edit.isOk());
+        desk.state.session().send({"wave", 2.0F}, std::vector<model::IndividualId>{2});
+        desk.playTo(0.8);
+        desk.state.session().send({"wave", 2.0F}, std::vector<model::IndividualId>{1, 4});
+        desk.playTo(1.0);
+        desk.state.session().send({"wave", 2.0F}, std::vector<model::IndividualId>{2}); // once more
+        desk.playTo(1.4);
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(desk.marks().size(), std::size_t{2}, kTimelinePatienceMs);
+    const model::Mark& sprayed = desk.marks()[0];
+    QVERIFY((sprayed.people == std::vector<int>{1, 2, 4}) && sprayed.delays.size() == 3);
+    QVERIFY(sprayed.delays[1] == 0 && sprayed.delays[0] >= 300);
+    QCOMPARE(sprayed.delays[0], sprayed.delays[2]);
+    QVERIFY((desk.marks()[1].people == std::vector<int>{2}) && desk.marks()[1].delays.empty());
+}
+
+void TestTimelineDock::theStripShowsWhatRulesDid()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    desk.state.selection().set(std::vector<model::IndividualId>{1, 2});
+    desk.playTo(0.5);
+    desk.state.session().send({"clap", 0.0F}, std::vector<model::IndividualId>{1, 2, 3});
+    desk.playTo(1.2);
+    const FiringHistory& firings = desk.state.session().firings();
+    QTRY_COMPARE_WITH_TIMEOUT(firings.since(0).size(), std::size_t{3}, kTimelinePatienceMs);
+    const double when = firings.since(0)[0].seconds;
+    QVERIFY(when >= 0.5 && when < 1.2);
+    const QPoint tick(desk.view().placeOf(when).x() + 1,
+                      TimelineLayout{desk.view().size()}.stripTop() + TimelineLayout::kStrip / 2);
+    const auto isShown = [&] {
+        const QColor seen = desk.view().grab().toImage().pixelColor(tick);
+        return seen.hsvSaturation() > 120;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isShown(), kTimelinePatienceMs);
+    QTest::mouseMove(&desk.view(), tick);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.view().toolTip().startsWith(QStringLiteral("listen, at ")),
+                             kTimelinePatienceMs);
+    desk.state.selection().set(std::vector<model::IndividualId>{4}); // heard nothing
+    QTRY_VERIFY_WITH_TIMEOUT(!isShown(), kTimelinePatienceMs);
+}
+
+void TestTimelineDock::whatIsWrongIsSaid()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    auto* note = desk.dock->findChild<QLabel*>(QStringLiteral("markNote"));
+    desk.doubleClick(model::MarkKind::Cue, 4.0);
+    QVERIFY(note->text().isEmpty());
+    model::Timeline timeline = desk.marks();
+    timeline[0].cue = 99;
+    desk.document.edit(QStringLiteral("away"), [&](model::SceneEdit& edit) {
+        edit.set<model::members::Timeline>(timeline);
+    });
+    QVERIFY2(note->text().contains(QStringLiteral("a cue that is not there")),
+             qPrintable(note->text()));
+    QVERIFY(note->isVisible());
+    desk.view().choose({});
+    QVERIFY(note->text().contains(QStringLiteral("a cue that is not there")));
+    desk.document.undoStack().undo();
+    QVERIFY(!note->text().contains(QStringLiteral("⚠")));
 }
 
 void TestTimelineDock::anotherSceneHasItsOwn()

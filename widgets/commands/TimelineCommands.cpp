@@ -22,6 +22,7 @@ using model::Timeline;
 namespace {
 
 constexpr double kSameMoment = 1e-3; ///< seconds
+constexpr double kUsualRange = 10.0; ///< seconds
 
 struct MarkText
 {
@@ -60,6 +61,16 @@ void beginWith(Mark& mark, const model::Scene& scene)
         const auto events = model::eventsOf(scene);
         mark.event = events.empty() ? std::string() : events.front();
     }
+}
+
+/// Seconds: what has been played, and what is to happen.
+double lastOfInterest(EditorState& state)
+{
+    double last = Scrub(state).last();
+    for (const Mark& mark : state.scene().timeline) {
+        last = std::max(last, mark.seconds + mark.length());
+    }
+    return last;
 }
 
 QString missing(const Mark& mark)
@@ -170,6 +181,69 @@ Timeline withMark(const Timeline& timeline, MarkId id, const std::function<void(
         }
     }
     return changed;
+}
+
+void setPlayRange(EditorState& state, model::PlayRange range)
+{
+    const model::PlayRange& before = state.scene().playRange;
+    range.unknownMembers = before.unknownMembers;
+    range.begin = std::clamp(range.begin, 0.0, model::kLatestMark);
+    range.end = std::clamp(range.end, 0.0, model::kLatestMark);
+    if (!range.isSet()) {
+        range.begin = range.end = 0.0;
+        range.isLoop = false;
+    }
+    if (range != before) {
+        (void)state.document().edit(MarkText::tr("Change the play range"),
+                                    [&range](model::SceneEdit& edit) {
+                                        edit.set<model::members::Range>(std::move(range));
+                                    });
+    }
+}
+
+void beginPlayRange(EditorState& state, double seconds)
+{
+    model::PlayRange range = state.scene().playRange;
+    const double length = range.isSet() ? range.end - range.begin : kUsualRange;
+    range.begin = std::max(0.0, seconds);
+    range.end = range.isSet() ? range.end : lastOfInterest(state);
+    if (range.end <= range.begin) {
+        range.end = range.begin + length;
+    }
+    setPlayRange(state, range);
+}
+
+void endPlayRange(EditorState& state, double seconds)
+{
+    model::PlayRange range = state.scene().playRange;
+    const double length = range.isSet() ? range.end - range.begin : kUsualRange;
+    range.end = seconds;
+    if (range.end <= range.begin) {
+        range.begin = std::max(0.0, range.end - length);
+    }
+    setPlayRange(state, range);
+}
+
+void setPlayLoop(EditorState& state, bool isLoop)
+{
+    model::PlayRange range = state.scene().playRange;
+    range.isLoop = isLoop;
+    if (isLoop && !range.isSet()) {
+        range.begin = 0.0;
+        range.end = std::max(lastOfInterest(state), kUsualRange);
+    }
+    setPlayRange(state, range);
+}
+
+void showRangeEdge(EditorState& state, bool isEnd)
+{
+    const Scrub scrub(state);
+    const model::PlayRange& range = state.scene().playRange;
+    if (isEnd) {
+        showMoment(state, range.isSet() ? range.end : scrub.last());
+    } else {
+        showMoment(state, range.isSet() ? range.begin : scrub.first());
+    }
 }
 
 void showNextMark(EditorState& state, bool isForward)

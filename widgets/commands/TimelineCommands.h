@@ -31,6 +31,16 @@ MarkIds copyMarks(EditorState& state, const MarkIds& marks, double seconds);
 [[nodiscard]] model::Timeline withMark(const model::Timeline& timeline, model::MarkId id,
                                        const std::function<void(model::Mark&)>& apply);
 
+/// Which part of time is played, and whether over and over; what is not set plays all.
+void setPlayRange(EditorState& state, model::PlayRange range);
+/// From there on, until where it ended before, or as far as there is something.
+void beginPlayRange(EditorState& state, double seconds);
+void endPlayRange(EditorState& state, double seconds);
+/// Over and over: the range, or where there is none as far as there is something.
+void setPlayLoop(EditorState& state, bool isLoop);
+/// Where the range begins or ends, or what has been played.
+void showRangeEdge(EditorState& state, bool isEnd);
+
 /// The moment of the next or former mark is shown, as far as it has been played; says so where it
 /// has not.
 void showNextMark(EditorState& state, bool isForward);

@@ -29,7 +29,7 @@ private:
     struct Tally
     {
         std::uint64_t count = 0;
-        double first = 0.0; ///< seconds since the session began
+        double first = 0.0; ///< seconds of the clock
         double last = 0.0;
     };
     struct Burst

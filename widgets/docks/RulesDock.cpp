@@ -59,6 +59,7 @@ void RulesDock::takeOver(DockBase& before)
     const auto& old = static_cast<const RulesDock&>(before);
     m_commands->setCurrentId(old.m_commands->currentId());
     m_fired = old.m_fired;
+    m_seen = old.m_seen;
     rebuildList();
     rebuildEditor();
     DockBase::takeOver(before);
@@ -336,10 +337,12 @@ void RulesDock::refreshCounts()
         item->setData(kRuleCountRole, isRunning ? QVariant(text) : QVariant());
     }
     m_isFilling = false;
-    const std::vector<behavior::RuleFired> fired = m_state.session().takeLog();
+    const FiringHistory& firings = m_state.session().firings();
+    const auto fired = firings.since(m_seen);
     for (const behavior::RuleFired& each : fired) {
         m_fired.add(each);
     }
+    m_seen = firings.end();
     if (!fired.empty()) {
         showLog();
     }
@@ -347,7 +350,7 @@ void RulesDock::refreshCounts()
 
 void RulesDock::forgetLog()
 {
-    (void)m_state.session().takeLog();
+    m_seen = m_state.session().firings().end();
     m_fired.clear();
     showLog();
 }

@@ -75,6 +75,7 @@ private:
     QCheckBox* m_onlySelected;
     QPlainTextEdit* m_log;
     RuleLog m_fired;
+    std::uint64_t m_seen = 0; ///< the number of what fires next
 };
 
 } // namespace crowd::widgets

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <QtCore/QSettings>
+#include <QtCore/QStringList>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QLabel>
@@ -12,6 +13,8 @@
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QVBoxLayout>
 
+#include "model/base/Translated.h"
+#include "model/rules/MarkFlaws.h"
 #include "widgets/commands/TimelineCommands.h"
 #include "widgets/docks/FieldForm.h"
 #include "widgets/docks/PanelButton.h"
@@ -25,6 +28,8 @@ using model::Mark;
 namespace {
 
 constexpr int kSideWidth = 288; ///< logical pixels
+constexpr int kGap = 8;         ///< logical pixels
+constexpr int kMostFlaws = 4;
 constexpr std::array kFrameRates{0, 24, 25, 30, 60};
 const QString kUnitKey = QStringLiteral("timeline/frameRate");
 
@@ -50,9 +55,11 @@ TimelineDock::TimelineDock(EditorState& state, QWidget* parent)
             if (isOneOf<model::RulesChanged, model::StatesChanged, model::SceneReplaced>(change)) {
                 makeForm();
                 followChosen();
-            } else if (isOneOf<model::TimelineChanged>(change)) {
+            } else if (isOneOf<model::TimelineChanged, model::IndividualsAdded,
+                               model::IndividualsRemoved>(change)) {
                 followChosen();
             }
+            followLoop();
             if (isOneOf<model::SceneReplaced>(change)) {
                 m_view->showAll();
             }
@@ -88,6 +95,20 @@ QWidget* TimelineDock::makeButtons()
     m_remove = add("delete", tr("Remove the chosen marks"), "markRemove");
     connect(m_remove, &QToolButton::clicked, this,
             [this] { removeMarks(m_state, MarkIds(m_view->chosen())); });
+    layout->addSpacing(kGap);
+    connect(add("range-begin", tr("What is played begins at this moment"), "rangeBegin"),
+            &QToolButton::clicked, this,
+            [this] { beginPlayRange(m_state, m_state.transport().seconds()); });
+    connect(add("range-end", tr("What is played ends at this moment"), "rangeEnd"),
+            &QToolButton::clicked, this,
+            [this] { endPlayRange(m_state, m_state.transport().seconds()); });
+    m_loop = add("loop", tr("Play over and over"), "playLoop");
+    m_loop->setCheckable(true);
+    connect(m_loop, &QToolButton::clicked, this, [this](bool isOn) {
+        setPlayLoop(m_state, isOn);
+        followLoop(); // also where it was refused
+    });
+    followLoop();
     layout->addStretch(1);
     connect(add("frame-all", tr("Show all marks, and all that has been played"), "timelineAll"),
             &QToolButton::clicked, m_view, &TimelineView::showAll);
@@ -121,7 +142,6 @@ QWidget* TimelineDock::makeSide()
     layout->setContentsMargins(6, 0, 0, 0);
     m_note->setObjectName(QStringLiteral("markNote"));
     m_note->setWordWrap(true);
-    m_note->setEnabled(false);
     layout->addWidget(m_note);
     layout->addStretch(1);
     m_side = content;
@@ -163,10 +183,35 @@ void TimelineDock::followChosen()
     if (isOne) {
         m_form->refresh();
     }
-    describePeople();
+    describe();
 }
 
-void TimelineDock::describePeople()
+void TimelineDock::followLoop()
+{
+    m_loop->setChecked(m_state.scene().playRange.isLoop);
+}
+
+/// What is wrong with the chosen marks, or where none is chosen with any.
+QString TimelineDock::flaws() const
+{
+    const MarkIds& chosen = m_view->chosen();
+    QStringList all;
+    for (const Mark& mark : model::inOrder(m_state.scene().timeline)) {
+        const bool isMeant = chosen.empty() || chosen.contains(mark.id);
+        const model::Message flaw = isMeant ? flawOf(m_state.scene(), mark) : model::Message();
+        if (!flaw.empty()) {
+            all << tr("⚠ %1").arg(model::translated(flaw));
+        }
+    }
+    if (all.size() > kMostFlaws) {
+        const auto more = static_cast<int>(all.size()) - kMostFlaws;
+        all = all.mid(0, kMostFlaws);
+        all << tr("And %n more.", nullptr, more);
+    }
+    return all.join(QStringLiteral("\n\n"));
+}
+
+void TimelineDock::describe()
 {
     const auto count = static_cast<int>(m_view->chosen().size());
     const Mark& mark = shown();
@@ -178,6 +223,9 @@ void TimelineDock::describePeople()
                   static_cast<int>(mark.people.size()));
     } else if (count == 1) {
         text.clear();
+    }
+    if (const QString wrong = flaws(); !wrong.isEmpty()) {
+        text = text.isEmpty() ? wrong : wrong + QStringLiteral("\n\n") + text;
     }
     m_note->setText(text);
     m_note->setVisible(!text.isEmpty());

@@ -34,7 +34,9 @@ private:
     void makeUnits();
     void makeForm();
     void followChosen();
-    void describePeople();
+    void describe();
+    [[nodiscard]] QString flaws() const;
+    void followLoop();
     [[nodiscard]] const model::Mark& shown() const; ///< a plain one where none is chosen
     void change(const std::function<void(void*)>& apply);
 
@@ -43,6 +45,7 @@ private:
     TimelineView* m_view; ///< children, as all below
     QComboBox* m_units;
     QToolButton* m_record = nullptr;
+    QToolButton* m_loop = nullptr;
     QToolButton* m_remove = nullptr;
     QWidget* m_side = nullptr; ///< what the form and the note are in
     QLabel* m_note;

@@ -2,7 +2,6 @@
 #include "widgets/docks/TimelineView.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -14,6 +13,8 @@
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QMenu>
 
+#include "model/rules/MarkFlaws.h"
+#include "widgets/docks/TimelinePicture.h"
 #include "widgets/state/SceneChanges.h"
 
 namespace crowd::widgets {
@@ -23,90 +24,53 @@ using model::MarkKind;
 
 namespace {
 
-constexpr int kRuler = 22; ///< logical pixels, as all below
-constexpr int kLane = 24;  ///< at least
-constexpr int kHighestLane = 44;
-constexpr int kNames = 84; ///< of lanes
-constexpr int kMark = 6;   ///< half of it
-constexpr int kTextGap = 4;
-constexpr int kLeastTitle = 16;
 constexpr double kZoomStep = 1.15;
 constexpr double kWheelNotch = 120.0;
-constexpr double kPan = 60.0; ///< a notch
-
-struct Lane
-{
-    MarkKind kind;
-    const char* name;
-    const char* add;
-    QRgb color;
-};
-
-constexpr std::array kLanes{Lane{MarkKind::Marker, QT_TRANSLATE_NOOP("Timeline", "Markers"),
-                                 QT_TRANSLATE_NOOP("Timeline", "Add a Marker Here"), 0xFFC9A227},
-                            Lane{MarkKind::Cue, QT_TRANSLATE_NOOP("Timeline", "Cues"),
-                                 QT_TRANSLATE_NOOP("Timeline", "Call a Cue Here"), 0xFFD9703B},
-                            Lane{MarkKind::State, QT_TRANSLATE_NOOP("Timeline", "States"),
-                                 QT_TRANSLATE_NOOP("Timeline", "Recall a State Here"), 0xFF4C86C6},
-                            Lane{MarkKind::Event, QT_TRANSLATE_NOOP("Timeline", "Events"),
-                                 QT_TRANSLATE_NOOP("Timeline", "Send an Event Here"), 0xFF5AA469}};
-
-struct TimelineText
-{
-    static QString tr(const char* text) { return QCoreApplication::translate("Timeline", text); }
-};
-
-std::size_t laneOf(MarkKind kind)
-{
-    return static_cast<std::size_t>(std::ranges::find(kLanes, kind, &Lane::kind) - kLanes.begin());
-}
-
-/// How long it goes on.
-double lengthOf(const Mark& mark)
-{
-    return mark.kind == MarkKind::State ? static_cast<double>(mark.fade + mark.spread) : 0.0;
-}
+constexpr double kPan = 60.0; ///< pixels a notch
+constexpr int kNear = 2;      ///< pixels beside a mark or a tick that still mean it
+constexpr int kHandle = 9;    ///< pixels: width of a handle of the play range
+constexpr int kHandleTop = 8; ///< from the top of the ruler
+constexpr int kNames = TimelineLayout::kNames;
+constexpr int kRuler = TimelineLayout::kRuler;
 
 } // namespace
 
 TimelineView::TimelineView(EditorState& state, QWidget* parent)
-    : QWidget(parent), m_state(state), m_scrub(state)
+    : QWidget(parent), m_state(state), m_scrub(state), m_fired(state)
 {
     setObjectName(QStringLiteral("timelineView"));
     setFocusPolicy(Qt::ClickFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    connect(&state.document(), &model::SceneDocument::changed, this,
-            [this](const model::SceneChange& change) {
-                if (isOneOf<model::TimelineChanged, model::RulesChanged, model::StatesChanged,
-                            model::SceneReplaced>(change)) {
-                    followScene();
-                }
-            });
+    connect(
+        &state.document(), &model::SceneDocument::changed, this,
+        [this](const model::SceneChange& change) {
+            if (isOneOf<model::TimelineChanged, model::RulesChanged, model::StatesChanged,
+                        model::IndividualsAdded, model::IndividualsRemoved, model::SceneReplaced>(
+                    change)) {
+                followScene();
+            }
+        });
     connect(&state.transport(), &Transport::timeChanged, this, &TimelineView::followTime);
     connect(&state.session(), &SessionControl::stateChanged, this, [this] { update(); });
+    connect(&m_fired, &SelectedFirings::changed, this, [this] { update(); });
     followScene();
 }
 
 QSize TimelineView::minimumSizeHint() const
 {
-    return {kNames + 160, kRuler + static_cast<int>(kLanes.size()) * kLane + 2};
-}
-
-int TimelineView::laneHeight() const
-{
-    const auto lanes = static_cast<int>(kLanes.size());
-    return std::clamp((height() - kRuler - 2) / lanes, kLane, kHighestLane);
-}
-
-int TimelineView::topOf(std::size_t lane) const
-{
-    return kRuler + static_cast<int>(lane) * laneHeight();
+    return {TimelineLayout::kLeastWidth, TimelineLayout::kLeastHeight};
 }
 
 void TimelineView::followScene()
 {
     m_ordered = model::inOrder(m_state.scene().timeline);
+    m_flawed.clear();
+    for (const Mark& mark : m_ordered) {
+        if (!flawOf(m_state.scene(), mark).empty()) {
+            m_flawed.insert(mark.id);
+        }
+    }
     const auto before = m_chosen.size();
     std::erase_if(m_chosen, [this](model::MarkId id) {
         return model::findMark(m_state.scene().timeline, id) == nullptr;
@@ -148,8 +112,9 @@ void TimelineView::showAll()
 {
     double last = m_state.session().liveSeconds();
     for (const Mark& mark : m_ordered) {
-        last = std::max(last, mark.seconds + lengthOf(mark));
+        last = std::max(last, mark.seconds + mark.length());
     }
+    last = std::max(last, m_state.scene().playRange.end);
     m_isToFit = !isVisible() || width() < minimumSizeHint().width(); // not laid out yet
     m_scale.fit(last, width() - kNames);
     update();
@@ -182,7 +147,9 @@ QPoint TimelineView::placeOf(double seconds) const
 
 QPoint TimelineView::placeOf(const Mark& mark) const
 {
-    return {placeOf(shownSeconds(mark)).x(), topOf(laneOf(mark.kind)) + laneHeight() / 2};
+    const TimelineLayout layout = this->layout();
+    return {placeOf(shownSeconds(mark)).x(),
+            layout.topOf(laneOf(mark.kind)) + layout.laneHeight() / 2};
 }
 
 double TimelineView::shownSeconds(const Mark& mark) const
@@ -194,24 +161,16 @@ double TimelineView::shownSeconds(const Mark& mark) const
 const Mark* TimelineView::markAt(const QPoint& at) const
 {
     const Mark* nearest = nullptr;
-    int least = kMark + 2;
+    int least = kMarkHalf + kNear;
+    const int reach = layout().laneHeight() / 2;
     for (const Mark& mark : m_ordered) {
         const QPoint away = placeOf(mark) - at;
-        if (std::abs(away.y()) <= laneHeight() / 2 && std::abs(away.x()) <= least) {
+        if (std::abs(away.y()) <= reach && std::abs(away.x()) <= least) {
             least = std::abs(away.x());
             nearest = &mark;
         }
     }
     return nearest;
-}
-
-std::optional<MarkKind> TimelineView::laneAt(int y) const
-{
-    const int lane = (y - kRuler) / laneHeight();
-    if (y < kRuler || lane >= static_cast<int>(kLanes.size())) {
-        return std::nullopt;
-    }
-    return kLanes[static_cast<std::size_t>(lane)].kind;
 }
 
 /// Keys that the window has actions for are the timeline's while marks are chosen.
@@ -258,7 +217,7 @@ void TimelineView::mousePressEvent(QMouseEvent* event)
         return;
     }
     choose({});
-    if (at.x() >= kNames) {
+    if (!beginRangeDrag(at, event->modifiers()) && at.x() >= kNames) {
         m_scrub.begin();
         m_scrub.show(m_scale.seconds(at.x() - kNames));
     }
@@ -284,7 +243,10 @@ void TimelineView::beginDrag(const Mark& mark, const QMouseEvent& event)
 void TimelineView::mouseMoveEvent(QMouseEvent* event)
 {
     const QPoint at = event->position().toPoint();
-    if (m_scrub.isHeld()) {
+    if (m_rangeDrag) {
+        m_rangeDrag->moving = m_scale.caught(m_scale.seconds(at.x() - kNames));
+        update();
+    } else if (m_scrub.isHeld()) {
         m_scrub.show(m_scale.seconds(at.x() - kNames));
     } else if (m_drag && (event->buttons() & Qt::LeftButton) != 0) {
         const int way = at.x() - m_drag->from.x();
@@ -297,13 +259,65 @@ void TimelineView::mouseMoveEvent(QMouseEvent* event)
         }
         update();
     } else {
-        const Mark* mark = markAt(at);
-        setToolTip(mark == nullptr ? QString()
-                                   : tr("%1, at %2 s")
-                                         .arg(markTitle(m_state.scene(), *mark))
-                                         .arg(mark->seconds, 0, 'f', 2));
-        setCursor(mark != nullptr ? Qt::SizeHorCursor : Qt::ArrowCursor);
+        hover(at);
     }
+}
+
+void TimelineView::hover(const QPoint& at)
+{
+    const Mark* mark = markAt(at);
+    QString tip;
+    if (mark != nullptr) {
+        tip =
+            tr("%1, at %2 s").arg(markTitle(m_state.scene(), *mark)).arg(mark->seconds, 0, 'f', 2);
+    } else if (layout().isStrip(at.y())) {
+        tip = m_fired.text(m_scale.seconds(at.x() - kNames - kNear),
+                           m_scale.seconds(at.x() - kNames + kNear));
+    } else if (at.y() < kRuler) {
+        tip = tr("Drag to see what has been played; with Shift held, what is to be played");
+    }
+    setToolTip(tip);
+    const bool isMoved = mark != nullptr || handleAt(at).has_value();
+    setCursor(isMoved ? Qt::SizeHorCursor : Qt::ArrowCursor);
+}
+
+/// The end of the range that stays where it is, if the other one is there.
+std::optional<double> TimelineView::handleAt(const QPoint& at) const
+{
+    const model::PlayRange& range = m_state.scene().playRange;
+    if (!range.isSet() || at.y() < kHandleTop || at.y() > kRuler) {
+        return std::nullopt;
+    }
+    const int fromBegin = at.x() - placeOf(range.begin).x();
+    const int fromEnd = placeOf(range.end).x() - at.x();
+    if (fromEnd >= -kNear && fromEnd <= kHandle) {
+        return range.begin;
+    }
+    return fromBegin >= -kNear && fromBegin <= kHandle ? std::optional(range.end) : std::nullopt;
+}
+
+/// At one of its ends, or anywhere on the ruler with Shift held.
+bool TimelineView::beginRangeDrag(const QPoint& at, Qt::KeyboardModifiers modifiers)
+{
+    const double here = m_scale.caught(m_scale.seconds(at.x() - kNames));
+    const auto handle = handleAt(at);
+    const bool isNew = (modifiers & Qt::ShiftModifier) != 0 && at.y() < kRuler && at.x() >= kNames;
+    if (handle) {
+        m_rangeDrag = RangeDrag{*handle, here};
+    } else if (isNew) {
+        m_rangeDrag = RangeDrag{here, here};
+    }
+    return m_rangeDrag.has_value();
+}
+
+model::PlayRange TimelineView::shownRange() const
+{
+    model::PlayRange range = m_state.scene().playRange;
+    if (m_rangeDrag) {
+        range.begin = std::min(m_rangeDrag->fixed, m_rangeDrag->moving);
+        range.end = std::max(m_rangeDrag->fixed, m_rangeDrag->moving);
+    }
+    return range;
 }
 
 /// Seconds; dragged, they stay as far from each other as they are.
@@ -321,6 +335,12 @@ void TimelineView::mouseReleaseEvent(QMouseEvent* event)
     }
     m_scrub.end();
     endDrag();
+    if (m_rangeDrag) {
+        const model::PlayRange range = shownRange();
+        m_rangeDrag.reset();
+        setPlayRange(m_state, range);
+        update();
+    }
 }
 
 void TimelineView::endDrag()
@@ -339,7 +359,7 @@ void TimelineView::endDrag()
 void TimelineView::mouseDoubleClickEvent(QMouseEvent* event)
 {
     const QPoint at = event->position().toPoint();
-    const auto kind = laneAt(at.y());
+    const auto kind = layout().laneAt(at.y());
     if (event->button() != Qt::LeftButton || !kind || at.x() < kNames) {
         return;
     }
@@ -367,7 +387,7 @@ void TimelineView::contextMenuEvent(QContextMenuEvent* event)
         menu.addAction(tr("Remove"), this, &TimelineView::removeChosen);
     } else {
         const double seconds = m_scale.caught(m_scale.seconds(event->pos().x() - kNames));
-        for (const Lane& lane : kLanes) {
+        for (const TimelineLane& lane : kTimelineLanes) {
             menu.addAction(TimelineText::tr(lane.add), this, [this, kind = lane.kind, seconds] {
                 if (const auto id = addMark(m_state, kind, seconds)) {
                     choose({id});
@@ -375,9 +395,22 @@ void TimelineView::contextMenuEvent(QContextMenuEvent* event)
             });
         }
         menu.addSeparator();
+        addRangeActions(menu, seconds);
+        menu.addSeparator();
         menu.addAction(tr("Show All"), this, &TimelineView::showAll);
     }
     menu.exec(event->globalPos());
+}
+
+void TimelineView::addRangeActions(QMenu& menu, double seconds)
+{
+    menu.addAction(tr("Play from Here On"), this,
+                   [this, seconds] { beginPlayRange(m_state, seconds); });
+    menu.addAction(tr("Play until Here"), this,
+                   [this, seconds] { endPlayRange(m_state, seconds); });
+    if (m_state.scene().playRange.isSet()) {
+        menu.addAction(tr("Play All Time"), this, [this] { setPlayRange(m_state, {}); });
+    }
 }
 
 void TimelineView::wheelEvent(QWheelEvent* event)
@@ -398,119 +431,20 @@ void TimelineView::wheelEvent(QWheelEvent* event)
 void TimelineView::paintEvent(QPaintEvent* /*event*/)
 {
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    paintLanes(painter);
-    painter.save();
-    painter.setClipRect(kNames, 0, width() - kNames, height());
-    paintRuler(painter);
-    paintMarks(painter);
-    paintNow(painter);
-    painter.restore();
-    paintHint(painter);
-}
-
-void TimelineView::paintLanes(QPainter& painter) const
-{
-    const QPalette& colors = palette();
-    painter.fillRect(rect(), colors.color(QPalette::Window));
-    for (std::size_t i = 0; i < kLanes.size(); ++i) {
-        const QRect lane(0, topOf(i), width(), laneHeight());
-        const auto role = i % 2 == 0 ? QPalette::Base : QPalette::AlternateBase;
-        painter.fillRect(lane.adjusted(kNames, 0, 0, 0), colors.color(role));
-        painter.setPen(colors.color(QPalette::WindowText));
-        painter.drawText(lane.adjusted(6, 0, 0, 0).intersected(QRect(0, 0, kNames - 4, height())),
-                         Qt::AlignVCenter | Qt::AlignLeft, TimelineText::tr(kLanes[i].name));
-    }
-    const int from = std::max(kNames, placeOf(m_scrub.first()).x());
-    const int to = placeOf(m_scrub.last()).x();
-    QColor tint = colors.color(QPalette::Highlight);
-    tint.setAlphaF(0.14F);
-    if (to > from) {
-        painter.fillRect(QRect(from, 0, to - from, topOf(kLanes.size())), tint);
-    }
-}
-
-void TimelineView::paintRuler(QPainter& painter) const
-{
-    const double line = m_scale.lineSeconds();
-    const double last = m_scale.seconds(width() - kNames);
-    QColor faint = palette().color(QPalette::WindowText);
-    faint.setAlphaF(0.18F);
-    for (double at = std::floor(m_scale.first() / line) * line; at <= last; at += line) {
-        const int x = placeOf(at).x();
-        painter.setPen(faint);
-        painter.drawLine(x, 4, x, topOf(kLanes.size()));
-        painter.setPen(palette().color(QPalette::WindowText));
-        painter.drawText(QRect(x + kTextGap, 0, 90, kRuler), Qt::AlignVCenter | Qt::AlignLeft,
-                         m_scale.text(at));
-    }
-}
-
-void TimelineView::paintMarks(QPainter& painter) const
-{
-    std::array<int, kLanes.size()> next; // where the one after it in its lane is
-    next.fill(width());
-    for (auto mark = m_ordered.rbegin(); mark != m_ordered.rend(); ++mark) {
-        const int x = placeOf(*mark).x();
-        int& end = next[laneOf(mark->kind)];
-        if (x <= width() + kMark && x + m_scale.pixels(lengthOf(*mark)) >= kNames - 200) {
-            paintMark(painter, *mark, end - x);
-        }
-        end = x - kMark;
-    }
-}
-
-void TimelineView::paintMark(QPainter& painter, const Mark& mark, int room) const
-{
-    const QPoint at = placeOf(mark);
-    const QColor color(kLanes[laneOf(mark.kind)].color);
-    const bool isChosen = m_chosen.contains(mark.id);
-    if (const double pixels = m_scale.pixels(lengthOf(mark)); pixels > 1.0) {
-        QColor bar = color;
-        bar.setAlphaF(0.35F);
-        painter.fillRect(QRectF(at.x(), at.y() - kMark + 2, std::min(pixels, 1e5), 2 * kMark - 4),
-                         bar);
-    }
-    painter.setPen(QPen(palette().color(isChosen ? QPalette::Highlight : QPalette::WindowText),
-                        isChosen ? 2.5 : 1.0));
-    painter.setBrush(color);
-    const int half = isChosen ? kMark + 1 : kMark;
-    painter.drawPolygon(QPolygon({at + QPoint(0, -half), at + QPoint(half, 0), at + QPoint(0, half),
-                                  at + QPoint(-half, 0)}));
-    const int text = room - kMark - 2 * kTextGap;
-    if (text >= kLeastTitle) {
-        painter.setPen(palette().color(QPalette::Text));
-        const QString title = painter.fontMetrics().elidedText(markTitle(m_state.scene(), mark),
-                                                               Qt::ElideRight, text);
-        painter.drawText(QRect(at.x() + kMark + kTextGap, at.y() - kLane / 2, text, kLane),
-                         Qt::AlignVCenter | Qt::AlignLeft, title);
-    }
-}
-
-void TimelineView::paintNow(QPainter& painter) const
-{
-    const int x = placeOf(m_state.transport().seconds()).x();
-    const QColor red(0xE0, 0x4F, 0x4F);
-    painter.setPen(QPen(red, 2.0));
-    painter.drawLine(x, kRuler / 2, x, topOf(kLanes.size()));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(red);
-    painter.drawPolygon(
-        QPolygon({QPoint(x - kMark, 2), QPoint(x + kMark, 2), QPoint(x, kRuler / 2)}));
-}
-
-void TimelineView::paintHint(QPainter& painter) const
-{
-    if (!m_ordered.empty()) {
-        return;
-    }
-    painter.setPen(palette().color(QPalette::Disabled, QPalette::Text));
-    painter.drawText(
-        QRect(kNames + 12, kRuler, width() - kNames - 24, topOf(kLanes.size()) - kRuler),
-        Qt::AlignCenter | Qt::TextWordWrap,
-        tr("Double click in a lane: what is to happen then. Or record: cues that are "
-           "pressed, states that are recalled and events that are painted while it "
-           "plays come here."));
+    drawTimeline(painter, {.scene = m_state.scene(),
+                           .scale = m_scale,
+                           .ordered = m_ordered,
+                           .chosen = m_chosen,
+                           .flawed = m_flawed,
+                           .secondsOf = [this](const Mark& mark) { return shownSeconds(mark); },
+                           .range = shownRange(),
+                           .playedFrom = m_scrub.first(),
+                           .playedTo = m_scrub.last(),
+                           .now = m_state.transport().seconds(),
+                           .isAnybodySelected = !m_state.selection().isEmpty(),
+                           .fired = m_fired.shown(),
+                           .layout = layout(),
+                           .palette = palette()});
 }
 
 } // namespace crowd::widgets

@@ -6,15 +6,19 @@
 #include <QtWidgets/QWidget>
 
 #include "widgets/commands/TimelineCommands.h"
+#include "widgets/docks/SelectedFirings.h"
+#include "widgets/docks/TimelineLanes.h"
 #include "widgets/docks/TimelineScale.h"
 #include "widgets/state/Scrub.h"
 
+class QMenu;
+
 namespace crowd::widgets {
 
-/// The timeline as a picture: a ruler, what of it has been played, the moment that is shown, and a
-/// lane of marks for each kind. A drag on the ruler shows any moment that has been played; marks
-/// are chosen, dragged, copied (Ctrl), removed, and made by a double click. Main thread; the state
-/// outlives it.
+/// The timeline as a picture: a ruler, what of it has been played, the moment that is shown, a lane
+/// of marks for each kind, and when rules fired for the selected. A drag on the ruler shows any
+/// moment that has been played, with Shift it says which part of time is played; marks are chosen,
+/// dragged, copied (Ctrl), removed, and made by a double click. Main thread; the state outlives it.
 class TimelineView : public QWidget
 {
     Q_OBJECT
@@ -62,6 +66,18 @@ private:
         bool isCopy = false;
     };
 
+    struct RangeDrag // seconds
+    {
+        double fixed = 0.0;
+        double moving = 0.0;
+    };
+
+    [[nodiscard]] TimelineLayout layout() const { return {size()}; }
+    void hover(const QPoint& at);
+    [[nodiscard]] std::optional<double> handleAt(const QPoint& at) const;
+    bool beginRangeDrag(const QPoint& at, Qt::KeyboardModifiers modifiers);
+    [[nodiscard]] model::PlayRange shownRange() const; ///< also while it is dragged
+    void addRangeActions(QMenu& menu, double seconds);
     void followScene();
     void fitAtFirst();
     void followTime(double seconds);
@@ -69,24 +85,18 @@ private:
     void endDrag();
     [[nodiscard]] double earliestChosen() const;
     void removeChosen();
-    [[nodiscard]] const model::Mark* markAt(const QPoint& at) const; ///< null: there is none
-    [[nodiscard]] std::optional<model::MarkKind> laneAt(int y) const;
-    [[nodiscard]] int laneHeight() const; ///< logical pixels
-    [[nodiscard]] int topOf(std::size_t lane) const;
+    [[nodiscard]] const model::Mark* markAt(const QPoint& at) const;  ///< null: there is none
     [[nodiscard]] double shownSeconds(const model::Mark& mark) const; ///< while it is dragged
-    void paintLanes(QPainter& painter) const;
-    void paintRuler(QPainter& painter) const;
-    void paintMarks(QPainter& painter) const;
-    void paintMark(QPainter& painter, const model::Mark& mark, int room) const;
-    void paintNow(QPainter& painter) const;
-    void paintHint(QPainter& painter) const;
 
     EditorState& m_state;
     TimelineScale m_scale;
     model::Timeline m_ordered; ///< the scene's, in the order in which they happen
     MarkIds m_chosen;
+    MarkIds m_flawed; ///< that do not do what they say
     std::optional<Drag> m_drag;
+    std::optional<RangeDrag> m_rangeDrag;
     Scrub m_scrub;
+    SelectedFirings m_fired;
     bool m_isToFit = true; ///< all of it, once the widget has its size
 };
 

@@ -2,8 +2,11 @@
 #include "widgets/state/MarkRecorder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <map>
 #include <utility>
+#include <vector>
 
 #include "model/document/SceneEdit.h"
 
@@ -12,6 +15,90 @@ namespace crowd::widgets {
 namespace {
 
 constexpr int kOneGoMs = 200;
+
+/// Downwards, so that nobody hears it a step later than he did.
+int delayOf(const model::Mark& first, const model::Mark& later)
+{
+    const double milliseconds = (later.seconds - first.seconds) * 1000.0;
+    return static_cast<int>(std::floor(milliseconds + 1e-6));
+}
+
+bool isSameEvent(const model::Mark& a, const model::Mark& b)
+{
+    return a.event == b.event && a.payload == b.payload;
+}
+
+/// What one mark says of people who hear the same event one after the other.
+class SprayedEvent
+{
+public:
+    explicit SprayedEvent(model::Mark first) : m_mark(std::move(first))
+    {
+        for (const int person : m_mark.people) {
+            m_delays.emplace(person, 0);
+        }
+    }
+
+    /// False: it is something else, or somebody hears it once more.
+    [[nodiscard]] bool take(const model::Mark& later)
+    {
+        const int delay = delayOf(m_mark, later);
+        const bool isPart =
+            isSameEvent(m_mark, later) && delay >= 0 && delay <= model::kLatestDelay &&
+            m_delays.size() + later.people.size() <= model::kMostMarkPeople &&
+            std::ranges::none_of(later.people, [this](int id) { return m_delays.contains(id); });
+        if (isPart) {
+            for (const int person : later.people) {
+                m_delays.emplace(person, delay);
+            }
+        }
+        return isPart;
+    }
+    [[nodiscard]] model::Mark made() &&
+    {
+        const bool isAtOnce =
+            std::ranges::all_of(m_delays, [](const auto& each) { return each.second == 0; });
+        m_mark.people.clear();
+        for (const auto& [person, delay] : m_delays) {
+            m_mark.people.push_back(person);
+            if (!isAtOnce) {
+                m_mark.delays.push_back(delay);
+            }
+        }
+        return std::move(m_mark);
+    }
+
+private:
+    model::Mark m_mark;
+    std::map<int, int> m_delays; ///< milliseconds, by person
+};
+
+bool isSprayed(const model::Mark& mark)
+{
+    return mark.kind == model::MarkKind::Event && !mark.people.empty();
+}
+
+/// What was performed in one go, with what was sprayed as one mark each.
+model::Timeline gathered(model::Timeline performed)
+{
+    model::Timeline marks;
+    std::vector<SprayedEvent> sprayed;
+    for (model::Mark& mark : performed) {
+        const auto part =
+            isSprayed(mark) ? std::ranges::find_if(
+                                  sprayed, [&mark](SprayedEvent& each) { return each.take(mark); })
+                            : sprayed.end();
+        if (!isSprayed(mark)) {
+            marks.push_back(std::move(mark));
+        } else if (part == sprayed.end()) {
+            sprayed.emplace_back(std::move(mark));
+        }
+    }
+    for (SprayedEvent& each : sprayed) {
+        marks.push_back(std::move(each).made());
+    }
+    return marks;
+}
 
 } // namespace
 
@@ -66,7 +153,7 @@ void MarkRecorder::keep()
     }
     m_document.edit(tr("Record"), [this](model::SceneEdit& edit) {
         model::Timeline timeline = edit.scene().timeline;
-        std::ranges::move(std::exchange(m_performed, {}), std::back_inserter(timeline));
+        std::ranges::move(gathered(std::exchange(m_performed, {})), std::back_inserter(timeline));
         std::ranges::sort(timeline, {}, &model::Mark::id);
         edit.set<model::members::Timeline>(std::move(timeline));
     });

@@ -10,7 +10,8 @@
 namespace crowd::widgets {
 
 /// Makes what is performed while a scene plays marks of its timeline, while it is on: what happens
-/// in one go is one undo step. Main thread; the document outlives it.
+/// in one go is one undo step, and what a stroke of the event brush sends is one mark, in which
+/// each hears it as much later as he did. Main thread; the document outlives it.
 class MarkRecorder : public QObject
 {
     Q_OBJECT

@@ -26,6 +26,7 @@ namespace {
 
 constexpr double kAheadSeconds = 0.1;  ///< at speed 1: edits and events are heard so much later
 constexpr double kFurthestAhead = 4.0; ///< however long a picture takes
+constexpr double kNoEnd = 1e300;       ///< seconds
 constexpr int kProgressMs = 150;
 constexpr int kWaysMs = 300; ///< a place that is being dragged comes to rest first
 
@@ -94,6 +95,7 @@ SessionControl::SessionControl(model::SceneDocument& document, Transport& transp
               this,
               [this] {
                   followProblems();
+                  takeFirings();
                   m_recorder.add(m_player->takePerformed());
                   Q_EMIT stepped();
               },
@@ -133,6 +135,7 @@ void SessionControl::followScene(const model::SceneChange& change)
             drop();
             m_liveSeconds = m_transport.seconds();
             m_recorder.forget();
+            m_firings.clear();
         });
     m_isBehaviourStale = true;
     const bool isOfNoInterest = isOneOf<model::CamerasChanged, model::LightingChanged,
@@ -363,6 +366,7 @@ void SessionControl::start()
     m_startSeconds = m_transport.seconds();
     m_liveSeconds = m_startSeconds;
     m_stepsPerSecond = m_document.scene().stepsPerSecond;
+    m_firings.clear();
     m_player->start(m_document.scene(), m_startSeconds, m_surface->current);
     m_changing.reset();
     m_frame.reset();
@@ -373,6 +377,7 @@ void SessionControl::start()
 void SessionControl::drop()
 {
     if (isRunning()) {
+        takeFirings();
         m_recorder.add(m_player->takePerformed());
         m_player->stop();
         m_frame.reset();
@@ -392,12 +397,11 @@ void SessionControl::advance(double realSeconds)
     if (!isRunning() && m_transport.isPlaying() && m_hasBehaviour && isReady()) {
         start();
     }
+    advanceTransport(realSeconds);
     if (!isRunning()) {
-        m_transport.advance(realSeconds);
         m_liveSeconds = std::max(m_liveSeconds, m_transport.seconds());
         return;
     }
-    m_transport.advance(realSeconds, m_player->available());
     m_liveSeconds = std::max(m_liveSeconds, m_transport.seconds());
     endRecall();
     if (m_transport.isPlaying()) {
@@ -407,6 +411,36 @@ void SessionControl::advance(double realSeconds)
             std::max(kAheadSeconds * std::max(1.0, speed), kAheadSeconds + realSeconds * speed);
         m_player->request(m_transport.seconds() + std::min(ahead, kFurthestAhead));
     }
+}
+
+/// Time, within the play range.
+void SessionControl::advanceTransport(double realSeconds)
+{
+    const model::PlayRange& range = m_document.scene().playRange;
+    const bool isPlaying = m_transport.isPlaying();
+    const bool isPartial = isPlaying && range.isSet() && !m_document.isEditOpen();
+    if (isPartial && m_transport.seconds() >= range.end && (range.isLoop || !m_wasPlaying)) {
+        beginRange();
+    }
+    const bool isBefore = m_transport.seconds() < range.end;
+    const double end = isPartial && isBefore ? range.end : kNoEnd;
+    m_transport.advance(realSeconds, isRunning() ? std::min(m_player->available(), end) : end);
+    if (isPartial && isBefore && m_transport.seconds() >= range.end && !range.isLoop) {
+        m_transport.setPlaying(false);
+    }
+    m_wasPlaying = m_transport.isPlaying();
+}
+
+/// The first of it that can be shown.
+void SessionControl::beginRange()
+{
+    const double first = isRunning() ? m_player->first() : 0.0;
+    m_transport.setSeconds(std::max(m_document.scene().playRange.begin, first));
+}
+
+void SessionControl::takeFirings()
+{
+    m_firings.add(m_player->takeLog(), m_startSeconds);
 }
 
 void SessionControl::stepOnce()
@@ -544,11 +578,6 @@ std::uint64_t SessionControl::firedCount(model::RuleId rule) const
     const auto report = m_player->report();
     const auto found = report.fired.find(rule);
     return found == report.fired.end() ? 0 : found->second;
-}
-
-std::vector<behavior::RuleFired> SessionControl::takeLog()
-{
-    return m_player->takeLog();
 }
 
 void SessionControl::askTally()

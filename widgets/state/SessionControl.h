@@ -15,6 +15,7 @@
 #include "model/brush/BrushSettings.h"
 #include "model/document/SceneDocument.h"
 #include "model/scene/CrowdFrame.h"
+#include "widgets/state/FiringHistory.h"
 #include "widgets/state/MarkRecorder.h"
 #include "widgets/state/Transport.h"
 
@@ -22,7 +23,6 @@ namespace crowd::behavior {
 class MotionCache;
 class SessionPlayer;
 class WalkSurface;
-struct RuleFired;
 } // namespace crowd::behavior
 
 namespace crowd::model {
@@ -44,7 +44,8 @@ public:
     ~SessionControl() override;
 
     [[nodiscard]] bool isRunning() const;
-    /// Real time that has passed since the last frame.
+    /// Real time that has passed since the last frame. At the end of the scene's play range it
+    /// begins that again, or pauses; not while a stroke is under way.
     void advance(double realSeconds);
     /// One step, then pause.
     void stepOnce();
@@ -86,7 +87,8 @@ public:
     /// What the session has to say to the artist, as of its last step.
     [[nodiscard]] const std::vector<behavior::Problem>& problems() const { return m_problems; }
     [[nodiscard]] std::uint64_t firedCount(model::RuleId rule) const;
-    [[nodiscard]] std::vector<behavior::RuleFired> takeLog();
+    /// Of the run, or of the one before where nothing runs.
+    [[nodiscard]] const FiringHistory& firings() const { return m_firings; }
     /// People are counted once more; stepped() comes when that is done.
     void askTally();
     /// How many people of the running session are where, as last counted.
@@ -124,6 +126,9 @@ private:
     void handPending();
     [[nodiscard]] bool startForRecall();
     void endRecall();
+    void takeFirings();
+    void advanceTransport(double realSeconds);
+    void beginRange();
     [[nodiscard]] const model::Population* peopleBefore(double seconds) const;
     void start();
     void drop();
@@ -151,6 +156,8 @@ private:
     std::uint32_t m_stepsPerSecond = 30; ///< of the session
     /// An edit that is on its way to the session; null: none.
     mutable std::unique_ptr<ChangingPeople> m_changing;
+    FiringHistory m_firings;
+    bool m_wasPlaying = false;  ///< as of the last frame
     bool m_isForRecall = false; ///< the scene has no behaviour: the session began for a recall
     bool m_isKeepingPose = false;
     bool m_isSurfaceStale = true;

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "model/rules/MarkFlaws.h"
+
+#include <algorithm>
+#include <string>
+
+#include <QtCore/QString>
+
+#include "model/base/ShownText.h"
+
+namespace crowd::model {
+
+namespace {
+
+/// As the artist finds it in the timeline.
+std::string shownTime(const Mark& mark)
+{
+    return QString::number(mark.seconds, 'f', 2).toStdString();
+}
+
+Message flawOfState(const Scene& scene, const Mark& mark, StateId state)
+{
+    const bool isThere = std::ranges::find(scene.states, state, &State::id) != scene.states.end();
+    if (isThere) {
+        return {};
+    }
+    return {QT_TRANSLATE_NOOP("Messages", "At %1 seconds the timeline recalls a state that is not "
+                                          "there. Choose another one for that mark."),
+            shownTime(mark)};
+}
+
+Message flawOfCue(const Scene& scene, const Mark& mark)
+{
+    const auto cue = std::ranges::find(scene.cues, mark.cue, &Cue::id);
+    if (cue == scene.cues.end()) {
+        return {QT_TRANSLATE_NOOP("Messages", "At %1 seconds the timeline calls a cue that is not "
+                                              "there. Choose another one for that mark."),
+                shownTime(mark)};
+    }
+    if (mark.people.empty() && cue->reach == CueReach::Selected) {
+        return {QT_TRANSLATE_NOOP("Messages", "At %1 seconds the timeline calls the cue “%2”, "
+                                              "which speaks to the selected: the mark names "
+                                              "nobody. Let the cue reach everybody, or a tag."),
+                shownTime(mark), shortened(cue->name)};
+    }
+    return cue->state != 0 ? flawOfState(scene, mark, cue->state) : Message();
+}
+
+bool isAnybodyThere(const Scene& scene, const Mark& mark)
+{
+    return std::ranges::any_of(mark.people, [&people = scene.population](int id) {
+        return people.rowOf(id) < people.size();
+    });
+}
+
+} // namespace
+
+Message flawOf(const Scene& scene, const Mark& mark)
+{
+    if (mark.kind == MarkKind::Marker) {
+        return {};
+    }
+    if (!mark.people.empty() && !isAnybodyThere(scene, mark)) {
+        return {QT_TRANSLATE_NOOP("Messages", "At %1 seconds the timeline speaks to characters of "
+                                              "whom none is there any more. Remove that mark."),
+                shownTime(mark)};
+    }
+    if (mark.kind == MarkKind::Event && mark.event.empty()) {
+        return {QT_TRANSLATE_NOOP("Messages", "At %1 seconds the timeline sends an event without "
+                                              "a name. Choose one for that mark."),
+                shownTime(mark)};
+    }
+    if (mark.kind == MarkKind::State) {
+        return flawOfState(scene, mark, mark.state);
+    }
+    return mark.kind == MarkKind::Cue ? flawOfCue(scene, mark) : Message();
+}
+
+} // namespace crowd::model
