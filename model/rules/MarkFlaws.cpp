@@ -49,7 +49,7 @@ Message flawOfCue(const Scene& scene, const Mark& mark)
 bool isAnybodyThere(const Scene& scene, const Mark& mark)
 {
     return std::ranges::any_of(mark.people, [&people = scene.population](int id) {
-        return people.rowOf(id) < people.size();
+        return people.rowOf(static_cast<IndividualId>(id)) < people.size();
     });
 }
 

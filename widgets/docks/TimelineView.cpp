@@ -20,7 +20,6 @@
 namespace crowd::widgets {
 
 using model::Mark;
-using model::MarkKind;
 
 namespace {
 
