@@ -2838,7 +2838,7 @@ class Look(Entry):
 
 class Mark(Entry):
     """A moment of the timeline, and what happens then."""
-    def __init__(self, *, id: int, name: str = ..., seconds: float = ..., kind: Literal["marker", "cue", "state", "event"] = ..., cue: Union[int, Cue] = ..., state: int = ..., fade: float = ..., spread: float = ..., order: Literal["distance", "heading", "row", "wedge", "random"] = ..., point: Sequence[float] = ..., heading: float = ..., event: str = ..., payload: float = ..., people: Sequence[Any] = ..., delays: Sequence[Any] = ...) -> None:
+    def __init__(self, *, id: int, name: str = ..., seconds: float = ..., kind: Literal["marker", "cue", "state", "event"] = ..., cue: Union[int, Cue] = ..., state: int = ..., fade: float = ..., spread: float = ..., order: Literal["distance", "heading", "row", "wedge", "random"] = ..., point: Sequence[float] = ..., heading: float = ..., event: str = ..., payload: float = ..., people: Sequence[Any] = ..., delays: Sequence[int] = ...) -> None:
         ...
     id: int
     """of no other mark of the scene; must be given"""

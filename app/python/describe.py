@@ -215,6 +215,7 @@ def entry_type(field, is_argument):
     plain_types = {"color": ("str", "Union[str, Sequence[int]]"), "tint": ("str", "Union[str, Sequence[int]]"),
                    "point": ("List[float]", "Sequence[float]"), "range": ("List[float]", "Sequence[float]"),
                    "curve": ("List[float]", "Sequence[float]"), "ids": ("List[int]", "Sequence[Any]"),
+                   "numbers": ("List[int]", "Sequence[int]"),
                    "colors": ("List[str]", "Sequence[Union[str, Sequence[int]]]"),
                    "clips": ("List[Dict[str, Any]]", "Clips"), "any": ("Any", "Any"),
                    "values": ("List[List[float]]", "Sequence[Sequence[float]]")}

@@ -94,6 +94,9 @@ class _Field:
     def _as_ids(self, value, where):
         return sorted(_whole(_id_of(each), where, max(1, int(self.low)), int(self.high)) for each in _listed(value, where))
 
+    def _as_numbers(self, value, where):
+        return [_whole(each, where, int(self.low), int(self.high)) for each in _listed(value, where)]
+
     def _as_clips(self, value, where):
         if isinstance(value, str):
             value = [value]

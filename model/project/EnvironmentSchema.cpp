@@ -49,6 +49,9 @@ std::string typeOf(const FieldInfo& field)
     if (field.is<double>()) {
         return "float";
     }
+    if (field.meta.role == FieldRole::Sequence) {
+        return "numbers";
+    }
     if (field.is<std::int64_t>()) {
         return field.meta.choices.empty() ? "int" : "choice";
     }

@@ -25,6 +25,23 @@ class Timeline(unittest.TestCase):
         self.scene.undo()
         self.assertEqual(self.scene.timeline, [])
 
+    def test_what_is_sprayed_is_heard_one_after_the_other(self):
+        first, second = (int(each) for each in self.scene.ids[:2])
+        sprayed = Mark(id=1, seconds=0.5, kind="event", event="clap", people=[first, second], delays=[500, 0])
+        self.scene.timeline = [sprayed]
+        self.assertEqual(self.scene.timeline[0].delays, [500, 0])
+        for wrong in ([-1], [0.5], ["late"], [10 ** 9], 3):
+            with self.assertRaisesRegex(crowdbrush.Error, "delays"):
+                Mark(id=1, delays=wrong)
+
+    def test_a_part_of_the_time_is_played(self):
+        self.scene.set_environment({"playRange": {"begin": 1.0, "end": 2.5, "loop": True}})
+        self.assertEqual(self.scene.environment["playRange"], {"begin": 1.0, "end": 2.5, "loop": True})
+        with self.assertRaisesRegex(crowdbrush.Error, "playRange.begin"):
+            self.scene.set_environment({"playRange": {"begin": -1.0}})
+        self.scene.undo()
+        self.assertFalse(self.scene.environment.get("playRange", {}).get("loop", False))
+
     def test_what_is_wrong_is_said(self):
         for wrong, said in (({"seconds": -1}, "seconds must lie between 0 and"),
                             ({"seconds": float("nan")}, "seconds"),

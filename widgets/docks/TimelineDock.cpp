@@ -28,7 +28,7 @@ using model::Mark;
 namespace {
 
 constexpr int kSideWidth = 288; ///< logical pixels
-constexpr int kGap = 8;         ///< logical pixels
+constexpr int kGroupGap = 8;    ///< logical pixels
 constexpr int kMostFlaws = 4;
 constexpr std::array kFrameRates{0, 24, 25, 30, 60};
 const QString kUnitKey = QStringLiteral("timeline/frameRate");
@@ -95,7 +95,7 @@ QWidget* TimelineDock::makeButtons()
     m_remove = add("delete", tr("Remove the chosen marks"), "markRemove");
     connect(m_remove, &QToolButton::clicked, this,
             [this] { removeMarks(m_state, MarkIds(m_view->chosen())); });
-    layout->addSpacing(kGap);
+    layout->addSpacing(kGroupGap);
     connect(add("range-begin", tr("What is played begins at this moment"), "rangeBegin"),
             &QToolButton::clicked, this,
             [this] { beginPlayRange(m_state, m_state.transport().seconds()); });

@@ -15,9 +15,7 @@ namespace {
 
 constexpr int kTextGap = 4; ///< logical pixels, as all below
 constexpr int kLeastTitle = 16;
-constexpr int kTick = 2;
-constexpr int kNames = TimelineLayout::kNames;
-constexpr int kRuler = TimelineLayout::kRuler;
+constexpr int kFiring = 2;
 constexpr double kGoldenAngle = 137.508; ///< degrees: hues that follow each other differ most
 constexpr QRgb kNow = 0xFFE04F4F;
 constexpr QRgb kRange = 0xFF8B6BD1;
@@ -35,6 +33,9 @@ public:
     void draw() const;
 
 private:
+    static constexpr int kNames = TimelineLayout::kNames;
+    static constexpr int kRuler = TimelineLayout::kRuler;
+
     [[nodiscard]] int x(double seconds) const
     {
         const double at = std::clamp(m_shown.scale.x(seconds), -1e6, 1e6);
@@ -217,7 +218,7 @@ void Picture::drawStrip() const
         }
         lastX = at;
         lastRule = each->rule;
-        m_painter.fillRect(QRect(at, strip.top() + 3, kTick, strip.height() - 6),
+        m_painter.fillRect(QRect(at, strip.top() + 3, kFiring, strip.height() - 6),
                            colorOfRule(each->rule));
     }
 }
