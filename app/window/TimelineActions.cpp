@@ -37,7 +37,7 @@ const WindowAction kTimelineActions[] = {
      [](MainWindow& w, bool) {
          widgets::endPlayRange(w.state(), w.state().transport().seconds());
      }},
-    {{"range-all", QT_TRANSLATE_NOOP("Actions", "Play &All Time"), "range-all", "",
+    {{"range-all", QT_TRANSLATE_NOOP("Actions", "Play &All Time"), "range-all", "Ctrl+Alt+O",
       QT_TRANSLATE_NOOP("Actions", "Play neither begins nor ends early")},
      [](MainWindow& w, bool) { widgets::setPlayRange(w.state(), {}); },
      {.inputs = ActionInput::History,
