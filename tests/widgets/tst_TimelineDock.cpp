@@ -115,6 +115,7 @@ private Q_SLOTS:
     void theWheelZooms();
     void aRangeIsPlayedOverAndOver();
     void playPausesAtTheEndOfTheRange();
+    void aRunThatBeginsAfterTheRangePlaysOn();
     void whatIsSprayedIsOneMark();
     void theStripShowsWhatRulesDid();
     void whatIsWrongIsSaid();
@@ -391,6 +392,16 @@ void TestTimelineDock::playPausesAtTheEndOfTheRange()
     QCOMPARE(transport.seconds(), 0.2);
     showRangeEdge(desk.state, true);
     QCOMPARE(transport.seconds(), 0.6);
+}
+
+void TestTimelineDock::aRunThatBeginsAfterTheRangePlaysOn()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    setPlayRange(desk.state, {.begin = 1.0, .end = 2.0, .isLoop = true});
+    desk.state.transport().setSeconds(5.0);
+    desk.playTo(5.5);
+    QVERIFY(desk.state.session().isRunning() && desk.state.transport().seconds() >= 5.5);
 }
 
 void TestTimelineDock::whatIsSprayedIsOneMark()

@@ -413,12 +413,13 @@ void SessionControl::advance(double realSeconds)
     }
 }
 
-/// Time, within the play range.
+/// Time, within what of the play range can be shown; a run that begins after it plays on.
 void SessionControl::advanceTransport(double realSeconds)
 {
     const model::PlayRange& range = m_document.scene().playRange;
     const bool isPlaying = m_transport.isPlaying();
-    const bool isPartial = isPlaying && range.isSet() && !m_document.isEditOpen();
+    const bool isThere = range.isSet() && (!isRunning() || m_player->first() < range.end);
+    const bool isPartial = isPlaying && isThere && !m_document.isEditOpen();
     if (isPartial && m_transport.seconds() >= range.end && (range.isLoop || !m_wasPlaying)) {
         beginRange();
     }
