@@ -62,7 +62,10 @@ void addRenderCommand(CLI::App& cli, RenderOptions& options, int& status)
     command->add_option("--f-stop", options.fStop,
                         "Depth of field: the smaller, the less is sharp; 0.5 where only --focus is "
                         "given");
-    command->add_option("--frames", options.frames, "Draw frames A-B");
+    command->add_option("--frames", options.frames,
+                        "Draw frames A-B; in steps A-BxN; several with commas: 5,20-29,40-90x10");
+    command->add_flag("--resume", options.isResumed,
+                      "Draw only those frames whose pictures are not there yet");
     command->add_option("--fps", options.framesPerSecond, "Frames per second")
         ->capture_default_str();
     command->add_flag("--allow-missing", options.allowsMissing,

@@ -7,6 +7,8 @@
 #include <optional>
 #include <set>
 
+#include <QtCore/QFileInfo>
+
 #include "app/commands/InterruptGuard.h"
 #include "app/commands/RenderPlan.h"
 #include "app/commands/SceneSource.h"
@@ -142,8 +144,13 @@ model::Result<void> checkMissing(const model::Scene& scene, bool isAllowed)
 model::Result<void> writeFrames(ScenePictures& pictures, const RenderPlan& plan,
                                 const std::string& pattern)
 {
-    for (int frame = plan.firstFrame; frame <= plan.lastFrame; ++frame) {
+    std::optional<int> next = plan.frames.first();
+    for (; next; next = plan.frames.after(*next)) {
+        const int frame = *next;
         const QString path = fileForFrame(pattern, frame);
+        if (plan.isResumed && QFileInfo::exists(path)) {
+            continue; // whole: a picture is written as a whole or not at all
+        }
         if (auto drawn = pictures.draw(plan.secondsOf(frame)); !drawn) {
             return drawn;
         }
@@ -169,7 +176,9 @@ model::Result<void> writeMovie(ScenePictures& pictures, const RenderPlan& plan,
     if (!movie) {
         return movie.error();
     }
-    for (int frame = plan.firstFrame; frame <= plan.lastFrame; ++frame) {
+    std::optional<int> next = plan.frames.first();
+    for (; next; next = plan.frames.after(*next)) {
+        const int frame = *next;
         if (InterruptGuard::isToEnd()) {
             return {};
         }

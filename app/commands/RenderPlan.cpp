@@ -33,6 +33,11 @@ model::Result<void> planFrames(const RenderOptions& options, RenderPlan& plan)
                             " is one movie: leave the #### away, or give the pictures another "
                             "ending."};
     }
+    plan.isResumed = options.isResumed;
+    if (options.isResumed && plan.isMovie) {
+        return model::Error{"--resume is for pictures: a movie is made as a whole. Draw pictures, "
+                            "such as f_####.png, or leave it away."};
+    }
     if (options.frames.empty() && plan.isMovie) {
         return model::Error{"--output " + options.output +
                             " is a movie: say of which frames with --frames A-B, such as 0-299."};
@@ -44,18 +49,18 @@ model::Result<void> planFrames(const RenderOptions& options, RenderPlan& plan)
         }
         return {};
     }
-    const auto range = parsePair(options.frames, '-');
-    if (!range || range->x < 0 || range->y < range->x) {
+    const auto frames = FrameList::parsed(options.frames);
+    if (!frames) {
         return model::Error{"--frames " + options.frames +
-                            " is not a range of frames: give it as A-B, such as 0-99."};
+                            " is not a range of frames: give it as A-B, such as 0-99, in steps as "
+                            "0-90x10, or several with commas, such as 5,20-29."};
     }
-    if (!hasPlace && !plan.isMovie && range->x != range->y) {
+    if (!hasPlace && !plan.isMovie && frames->first() != frames->last()) {
         return model::Error{"--output " + options.output +
                             " would be written over and over: put #### where the frame number "
                             "goes, such as f_####.png."};
     }
-    plan.firstFrame = range->x;
-    plan.lastFrame = range->y;
+    plan.frames = *frames;
     plan.framesPerSecond = options.framesPerSecond;
     return {};
 }
@@ -85,7 +90,7 @@ model::Result<RenderPlan> planOf(const RenderOptions& options)
     if (auto frames = planFrames(options, plan); !frames) {
         return frames.error();
     }
-    if (!isInRange(plan.secondsOf(plan.lastFrame), -kMost, kMost)) {
+    if (!isInRange(plan.secondsOf(plan.frames.last()), -kMost, kMost)) {
         return model::Error{"--frames " + options.frames +
                             " goes on for more than a week of the scene's time: give a smaller "
                             "last frame, a smaller --time or a larger --fps."};

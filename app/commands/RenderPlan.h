@@ -5,6 +5,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/commands/FrameList.h"
 #include "app/commands/RenderCommand.h"
 #include "model/base/Result.h"
 #include "render/RenderInput.h"
@@ -15,11 +16,11 @@ namespace crowd::app {
 struct RenderPlan
 {
     glm::ivec2 size{1280, 720};
-    int firstFrame = 0;
-    int lastFrame = 0;
+    FrameList frames;
     double startSeconds = 0.0; ///< of frame 0
     double framesPerSecond = 30.0;
-    bool isMovie = false; ///< all frames in one file
+    bool isMovie = false;   ///< all frames in one file
+    bool isResumed = false; ///< pictures that are there stay
 
     [[nodiscard]] double secondsOf(int frame) const;
 };

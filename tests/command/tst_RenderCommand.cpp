@@ -5,6 +5,8 @@
 #include <sys/resource.h>
 
 #include <QtCore/QDir>
+#include <QtCore/QFile>
+#include <QtCore/QFileInfo>
 #include <QtCore/QTemporaryDir>
 #include <QtGui/QImage>
 #include <QtTest/QTest>
@@ -61,6 +63,10 @@ void RenderCommandTest::drawsOnlyWhatMakesSense_data()
         {"endless f-stop", "--output %1/a.png --focus 4 --f-stop inf", 2, "0.01 to 1000"},
         {"time that is none", "--output %1/a.png --time nan", 2, "--time"},
         {"frames without a place", "--output %1/a.png --frames 0-3", 2, "put ####"},
+        {"frames in no steps", "--output %1/a#.png --frames 0-9x0", 2, "0-90x10"},
+        {"frames with nothing between", "--output %1/a#.png --frames 1,,3", 2, "not a range"},
+        {"several frames without a place", "--output %1/a.png --frames 1,3", 2, "put ####"},
+        {"a movie gone on with", "--output %1/a.mp4 --frames 0-3 --resume", 2, "as a whole"},
         {"frames backwards", "--output %1/a#.png --frames 3-0", 2, "not a range"},
         {"a place without frames", "--output %1/a#.png", 2, "--frames A-B"},
         {"no frames a second", "--output %1/a#.png --frames 0-1 --fps 0", 2, "--fps"},
@@ -120,6 +126,18 @@ void RenderCommandTest::drawsPicturesOfTheSizeAskedFor()
         QCOMPARE(picture.size(), QSize(96, 54));
         QVERIFY(!picture.hasAlphaChannel());
     }
+    // Those that are not there yet, of a list.
+    const QString kept = folder.filePath(QStringLiteral("f_009.png"));
+    QVERIFY(QFile::resize(kept, 100));
+    const Outcome more =
+        run({QStringLiteral("render"), theatre, QStringLiteral("--output"), pattern,
+             QStringLiteral("--size"), QStringLiteral("96x54"), QStringLiteral("--frames"),
+             QStringLiteral("12,8-11x2,9"), QStringLiteral("--resume")});
+    QVERIFY2(more.status == 0, more.errors.constData());
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files).join(u' '),
+             QStringLiteral("f_008.png f_009.png f_010.png f_012.png"));
+    QCOMPARE(QFileInfo(kept).size(), 100);
+    QCOMPARE(QString::fromUtf8(more.output).count(QStringLiteral(".png")), 2);
     const QStringList missing{QStringLiteral("render"), QStringLiteral("/nowhere/at-all.crowd"),
                               QStringLiteral("--output"), pattern.left(pattern.size() - 7)};
     QCOMPARE(run(missing + QStringList{QStringLiteral("--size"), QStringLiteral("9x9")}).status, 1);
