@@ -3,6 +3,7 @@
 #include <cstring>
 #include <deque>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "behavior/agents/StateFades.h"
@@ -29,8 +30,31 @@ struct OnTheWay
     std::vector<float> shares;         ///< 0..1 of what they become
 };
 
+/// Where the frame has the same people, row by row.
+OnTheWay onTheWay(const FadeTimes& times, double seconds)
+{
+    OnTheWay way{&times, {}, {}, std::vector<float>(times.ids.size())};
+    overRows(way.shares.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            way.shares[i] = times.shareAt(i, seconds);
+        }
+    });
+    way.people.resize(way.shares.size());
+    std::iota(way.people.begin(), way.people.end(), 0U);
+    const auto hasArrived = [](float share) { return share >= 1.0F; };
+    if (std::ranges::any_of(way.shares, hasArrived)) {
+        std::erase_if(way.people, [&](std::uint32_t i) { return hasArrived(way.shares[i]); });
+        std::erase_if(way.shares, hasArrived);
+    }
+    way.rows = way.people;
+    return way;
+}
+
 OnTheWay onTheWay(const FadeTimes& times, const Population& people, double seconds)
 {
+    if (std::ranges::equal(times.ids, people.ids())) {
+        return onTheWay(times, seconds);
+    }
     OnTheWay way{&times, {}, {}, {}};
     way.people.reserve(times.ids.size());
     way.rows.reserve(times.ids.size());
