@@ -135,8 +135,9 @@ void bindRelations(SceneClass& scene)
              "mutual those that it goes to. name: by that kind alone.")
         .def("duplicate", &duplicateGiven, py::arg("ids"),
              py::arg("offset") = std::array<float, 3>{1.0F, 0.0F, 0.0F},
-             "Copies of these people, offset metres away and off their seats, related among each "
-             "other as these are: one undo step. Their ids, in the order of these.")
+             "Copies of these people, offset metres away, related among each other as these are: "
+             "one undo step. Of those who sit on the free seats nearest to there; where none is "
+             "near they stand. Their ids, in the order of these.")
         .def_property_readonly(
             "relations", &relationsGiven,
             "All relations as a dict of arrays, \"from\", \"to\", \"name\" and \"strength\", in "

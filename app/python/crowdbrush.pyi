@@ -1478,8 +1478,9 @@ class Scene:
         """Ids of those to whom one of these is related, ascending; of a kind that is not mutual
         those that it goes to. name: by that kind alone."""
     def duplicate(self, ids: Any, offset: Sequence[float] = ...) -> _Array:
-        """Copies of these people, offset metres away and off their seats, related among each
-        other as these are: one undo step. Their ids, in the order of these."""
+        """Copies of these people, offset metres away, related among each other as these are: one
+        undo step. Of those who sit on the free seats nearest to there; where none is near
+        they stand. Their ids, in the order of these."""
     @property
     def relations(self) -> Dict[Any, Any]:
         """All relations as a dict of arrays, "from", "to", "name" and "strength", in the order

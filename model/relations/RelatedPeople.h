@@ -25,8 +25,9 @@ relatedTo(const Scene& scene, std::span<const IndividualId> ids, RelationKindId 
 [[nodiscard]] std::vector<IndividualId>
 withRelated(const Scene& scene, std::span<const IndividualId> ids, RelationKindId kind);
 
-/// Copies of people, `offset` metres away, off their seats; related among each other as the
-/// originals are. Their ids, in the same order.
+/// Copies of people, `offset` metres away; of those who sit on the free seats nearest to there, as
+/// far as any is near, else they stand. Related among each other as the originals are. Their ids,
+/// in the same order.
 std::vector<IndividualId> duplicate(SceneEdit& edit, std::span<const IndividualId> ids,
                                     const glm::vec3& offset);
 

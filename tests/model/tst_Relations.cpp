@@ -3,6 +3,7 @@
 #include <random>
 #include <tuple>
 
+#include "model/brush/IndividualEdits.h"
 #include "model/features/FeatureWriting.h"
 #include "model/project/EnvironmentText.h"
 #include "model/project/ProjectReader.h"
@@ -293,6 +294,38 @@ private Q_SLOTS:
         QCOMPARE(positions[scene.people().rowOf(copies[1])] -
                      positions[scene.people().rowOf(family[1])],
                  glm::vec3(0.0F, 0.0F, 2.0F));
+    }
+
+    void copiesOfWhoSitsSitToo()
+    {
+        RelationScene scene;
+        Scene theatre = scene.document.scene();
+        theatre.stages = {stageOf({}, seatRows(1, 4))};
+        const auto seats = theatre.worldSeats();
+        QCOMPARE(seats.size(), std::size_t{4});
+        scene.document.replaceScene(std::move(theatre), {});
+        const Ids two{scene.ids[2], scene.ids[3]};
+        scene.document.edit(QStringLiteral("Sit"), [&](SceneEdit& edit) {
+            QCOMPARE(sitDown(edit, two[0], seats[0].id), SitResult::Done);
+            QCOMPARE(sitDown(edit, two[1], seats[1].id), SitResult::Done);
+        });
+        Ids copies;
+        const auto copy = [&] {
+            scene.document.edit(QStringLiteral("Copy"), [&](SceneEdit& edit) {
+                copies = duplicate(edit, two, {0.5F, 0.0F, 0.0F});
+            });
+        };
+        const auto seatOf = [&](IndividualId id) {
+            return scene.people().column(columns::seat)[scene.people().rowOf(id)];
+        };
+        copy();
+        QVERIFY(seatOf(copies[0]) != seatOf(copies[1]));
+        for (const IndividualId id : copies) {
+            QVERIFY(seatOf(id) == seats[2].id || seatOf(id) == seats[3].id);
+        }
+        copy(); // all are taken
+        QVERIFY(seatOf(copies[0]) == kNoSeat && seatOf(copies[1]) == kNoSeat);
+        QCOMPARE(seatOf(two[0]), seats[0].id);
     }
 
     void aDragRelatesWhereItBeganToWhereItEnds()

@@ -171,7 +171,10 @@ bool renameRelationKind(EditorState& state, RelationKindId kind, const QString& 
         state.showStatus(RelationText::tr("It needs a name."));
         return false;
     }
-    if (findRelation(state.scene().relationKinds, wanted) != nullptr) {
+    const auto isSeenAs = [seen = relationText(wanted)](const RelationKind& each) {
+        return relationText(each.name) == seen;
+    };
+    if (std::ranges::any_of(state.scene().relationKinds, isSeenAs)) {
         state.showStatus(RelationText::tr("There is one of that name already."));
         return false;
     }
@@ -257,6 +260,18 @@ void growSelectionToRelated(EditorState& state, RelationKindId kind)
                                       static_cast<int>(grown.size() - people.size())));
 }
 
+namespace {
+
+int sitting(const EditorState& state, std::span<const IndividualId> ids)
+{
+    const model::Population& people = state.scene().population;
+    const auto seats = people.column(model::columns::seat);
+    return static_cast<int>(std::ranges::count_if(
+        ids, [&](IndividualId id) { return seats[people.rowOf(id)] != model::kNoSeat; }));
+}
+
+} // namespace
+
 void duplicateSelection(EditorState& state)
 {
     const std::vector<IndividualId> people = chosenPeople(state);
@@ -271,6 +286,11 @@ void duplicateSelection(EditorState& state)
         [&](model::SceneEdit& edit) { copies = duplicate(edit, people, offset); });
     if (outcome == model::EditOutcome::Committed) {
         state.selection().set(copies);
+        const int standing = sitting(state, people) - sitting(state, copies);
+        if (standing > 0) {
+            state.showStatus(
+                RelationText::tr("No seat is free near %n of them: they stand", nullptr, standing));
+        }
     }
 }
 
