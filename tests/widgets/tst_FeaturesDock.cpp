@@ -3,14 +3,18 @@
 
 #include <QtCore/QSettings>
 #include <QtCore/QTemporaryDir>
+#include <QtCore/QTimer>
 #include <QtGui/QImage>
 #include <QtTest/QTest>
 #include <QtWidgets/QAbstractButton>
 #include <QtWidgets/QAbstractItemView>
+#include <QtWidgets/QApplication>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QInputDialog>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QListWidget>
+#include <QtWidgets/QMenu>
 #include <QtWidgets/QToolButton>
 
 #include "model/document/SceneEdit.h"
@@ -113,6 +117,7 @@ private Q_SLOTS:
     void coloursOfAnOutfitAreSeenAndSet();
     void addsDuplicatesRenamesAndRemoves();
     void aKindOfOnesOwn();
+    void aNewKindIsAskedForItsName();
     void showsWhatTheBrushPaints();
     void aWordTakenByMouseLeavesTheKeysToTheBrushes();
     void whatIsSetComesToTheSceneAtRest();
@@ -223,7 +228,7 @@ void TestFeaturesDock::aKindOfOnesOwn()
 {
     FeaturesDesk desk;
     QVERIFY(desk.isReady());
-    const std::uint8_t kind = addKind(desk.state);
+    const std::uint8_t kind = addKind(desk.state, freeKindName(desk.state));
     QCOMPARE(kind, std::uint8_t{3});
     QVERIFY(renameKind(desk.state, kind, QStringLiteral("  team ")));
     QVERIFY(!renameKind(desk.state, kind, QStringLiteral("emotion")));
@@ -235,12 +240,46 @@ void TestFeaturesDock::aKindOfOnesOwn()
     QVERIFY(renameFeature(desk.state, home, QStringLiteral("home")));
     QTRY_COMPARE(desk.names(), QStringList{QStringLiteral("home")});
     for (int i = 0; i < 5; ++i) {
-        QVERIFY(addKind(desk.state) != 0);
+        QVERIFY(addKind(desk.state, freeKindName(desk.state)) != 0);
     }
-    QCOMPARE(addKind(desk.state), std::uint8_t{0});
+    QCOMPARE(addKind(desk.state, freeKindName(desk.state)), std::uint8_t{0});
     QVERIFY2(desk.said.contains(QStringLiteral("at most 8")), qPrintable(desk.said));
     removeKind(desk.state, kind);
     QTRY_COMPARE(desk.kinds()->count(), 7);
+    QVERIFY2(desk.said.contains(QStringLiteral("“team” is gone")), qPrintable(desk.said));
+}
+
+/// Asked first: nothing is made of what is cancelled.
+void TestFeaturesDock::aNewKindIsAskedForItsName()
+{
+    FeaturesDesk desk;
+    QVERIFY(desk.isReady());
+    QMenu* menu = nullptr;
+    for (QToolButton* button : desk.dock->findChildren<QToolButton*>()) {
+        menu = button->menu() != nullptr ? button->menu() : menu;
+    }
+    QVERIFY(menu != nullptr);
+    const auto answer = [&](const QString& name) {
+        QMetaObject::invokeMethod(menu, "aboutToShow");
+        QTimer::singleShot(0, menu, [name] {
+            auto* asked = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+            if (asked != nullptr && !name.isEmpty()) {
+                asked->setTextValue(name);
+                asked->accept();
+            } else if (asked != nullptr) {
+                asked->reject();
+            }
+        });
+        menu->actions().front()->trigger();
+    };
+    answer({});
+    QCOMPARE(desk.document.scene().features.size(), std::size_t{2});
+    answer(QStringLiteral("team"));
+    QCOMPARE(desk.document.scene().features.size(), std::size_t{3});
+    QCOMPARE(desk.kinds()->currentText(), QStringLiteral("team"));
+    answer(QStringLiteral("emotion"));
+    QCOMPARE(desk.document.scene().features.size(), std::size_t{3});
+    QVERIFY2(desk.said.contains(QStringLiteral("already")), qPrintable(desk.said));
 }
 
 void TestFeaturesDock::showsWhatTheBrushPaints()

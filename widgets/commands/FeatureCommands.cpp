@@ -80,7 +80,10 @@ std::string soundName(EditorState& state, const Entries& entries, const QString&
         state.showStatus(FeatureText::tr("It needs a name."));
         return {};
     }
-    if (std::ranges::find(entries, wanted, &Entries::value_type::name) != entries.end()) {
+    const QString seen = featureText(wanted);
+    if (std::ranges::any_of(entries, [&](const auto& each) {
+            return each.name == wanted || featureText(each.name) == seen;
+        })) {
         state.showStatus(FeatureText::tr("There is one of that name already."));
         return {};
     }
@@ -141,15 +144,28 @@ void give(EditorState& state, const FeatureKind& kind, FeatureId id, const QStri
 
 } // namespace
 
-KindId addKind(EditorState& state)
+bool hasRoomForKind(EditorState& state)
+{
+    const bool hasRoom = model::freeKindId(state.scene()) != 0;
+    if (!hasRoom) {
+        state.showStatus(FeatureText::tr("A scene has at most %1 features: remove one first.")
+                             .arg(model::kMostFeatureKinds));
+    }
+    return hasRoom;
+}
+
+QString freeKindName(const EditorState& state)
+{
+    return QString::fromStdString(freeName(state.scene().features, FeatureText::tr("Feature %1"),
+                                           state.scene().features.size() + 1));
+}
+
+KindId addKind(EditorState& state, const QString& name)
 {
     FeatureKind kind;
     kind.id = model::freeKindId(state.scene());
-    kind.name = freeName(state.scene().features, FeatureText::tr("Feature %1"),
-                         state.scene().features.size() + 1);
-    if (kind.id == 0) {
-        state.showStatus(FeatureText::tr("A scene has at most %1 features: remove one first.")
-                             .arg(model::kMostFeatureKinds));
+    kind.name = soundName(state, state.scene().features, name);
+    if (!hasRoomForKind(state) || kind.name.empty()) {
         return 0;
     }
     const bool isDone =
@@ -161,9 +177,24 @@ KindId addKind(EditorState& state)
 
 void removeKind(EditorState& state, std::uint8_t kind)
 {
-    editKinds(state, FeatureText::tr("Remove a feature"), [kind](FeatureKinds& kinds) {
-        std::erase_if(kinds, [kind](const FeatureKind& each) { return each.id == kind; });
-    });
+    const FeatureKind* gone = findKind(state.scene().features, kind);
+    if (gone == nullptr) {
+        return;
+    }
+    const QString name = featureText(gone->name);
+    std::size_t bearers = 0; // each bears one value of a kind
+    for (const FeatureValue& value : gone->values) {
+        bearers += model::bearersOf(state.scene(), value.id).size();
+    }
+    const bool isDone =
+        editKinds(state, FeatureText::tr("Remove a feature"), [kind](FeatureKinds& kinds) {
+            std::erase_if(kinds, [kind](const FeatureKind& each) { return each.id == kind; });
+        });
+    if (isDone) {
+        state.showStatus(FeatureText::tr("“%1” is gone; %n characters had a value of it", nullptr,
+                                         static_cast<int>(bearers))
+                             .arg(name));
+    }
 }
 
 bool renameKind(EditorState& state, std::uint8_t kind, const QString& name)

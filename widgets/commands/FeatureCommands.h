@@ -12,8 +12,12 @@
 /// edited. They say in the status bar what came of it.
 namespace crowd::widgets {
 
-/// The new one's id; 0: there are as many as there can be.
-std::uint8_t addKind(EditorState& state);
+/// Whether there can be one more.
+[[nodiscard]] bool hasRoomForKind(EditorState& state);
+/// "Feature 3": one that no kind has.
+[[nodiscard]] QString freeKindName(const EditorState& state);
+/// The new one's id; 0: there are as many as there can be, or the name is not sound.
+std::uint8_t addKind(EditorState& state, const QString& name);
 void removeKind(EditorState& state, std::uint8_t kind);
 /// Whether it has that name now.
 bool renameKind(EditorState& state, std::uint8_t kind, const QString& name);

@@ -408,10 +408,7 @@ void FeaturesDock::fillKindMenu()
     const model::FeatureKind* shown = kind();
     m_kindMenu->addAction(iconNamed("add"), tr("New Feature"), this, [this] {
         keepChange();
-        const std::uint8_t made = addKind(m_state);
-        fill();
-        m_kinds->setCurrentIndex(std::max(0, m_kinds->findData(uint{made})));
-        renameShownKind();
+        addNamedKind();
     });
     m_kindMenu->addAction(tr("Rename…"), this, &FeaturesDock::renameShownKind)
         ->setEnabled(shown != nullptr);
@@ -430,6 +427,36 @@ void FeaturesDock::fillKindMenu()
     m_kindMenu->addAction(tr("Take from a File…"), this, &FeaturesDock::importFile);
 }
 
+void FeaturesDock::showKind(std::uint8_t kind)
+{
+    fill();
+    m_kinds->setCurrentIndex(std::max(0, m_kinds->findData(uint{kind})));
+}
+
+void FeaturesDock::addNamedKind()
+{
+    if (!hasRoomForKind(m_state)) {
+        return;
+    }
+    const auto name = nameAsked(tr("New Feature"), freeKindName(m_state));
+    if (const std::uint8_t made = name ? addKind(m_state, *name) : std::uint8_t{0}; made != 0) {
+        showKind(made);
+    }
+}
+
+/// Nothing: the artist thought better of it.
+std::optional<QString> FeaturesDock::nameAsked(const QString& title, const QString& proposal)
+{
+    QInputDialog dialog(this);
+    dialog.setWindowTitle(title);
+    dialog.setLabelText(tr("Name"));
+    dialog.setTextValue(proposal);
+    // The title is to be read whole.
+    dialog.resize(std::max(dialog.sizeHint().width(), 40 * fontMetrics().averageCharWidth()),
+                  dialog.sizeHint().height());
+    return dialog.exec() == QDialog::Accepted ? std::optional(dialog.textValue()) : std::nullopt;
+}
+
 void FeaturesDock::renameShownKind()
 {
     const model::FeatureKind* shown = kind();
@@ -437,12 +464,8 @@ void FeaturesDock::renameShownKind()
         return;
     }
     const std::uint8_t id = shown->id;
-    bool isGiven = false;
-    const QString name =
-        QInputDialog::getText(this, tr("Rename the Feature"), tr("Name"), QLineEdit::Normal,
-                              featureText(shown->name), &isGiven);
-    if (isGiven) {
-        (void)renameKind(m_state, id, name);
+    if (const auto name = nameAsked(tr("Rename the Feature"), featureText(shown->name))) {
+        (void)renameKind(m_state, id, *name);
     }
 }
 
@@ -480,7 +503,14 @@ void FeaturesDock::importFile()
         return;
     }
     rememberFolder(kFeatureFolder, path);
+    const model::FeatureKinds before = m_state.scene().features;
     const auto taken = importKinds(m_state, path);
+    for (const model::FeatureKind& each : m_state.scene().features) {
+        if (std::ranges::find(before, each) == before.end()) { // new, or with other values
+            showKind(each.id);
+            break;
+        }
+    }
     m_state.showStatus(taken ? tr("Features taken from %1").arg(path)
                              : model::translated(taken.error().said));
 }

@@ -52,6 +52,9 @@ private:
     void fillMenu(QMenu& menu, model::FeatureId id);
     void edit(model::FeatureId id);
     void duplicate(model::FeatureId id);
+    void showKind(std::uint8_t kind);
+    void addNamedKind();
+    [[nodiscard]] std::optional<QString> nameAsked(const QString& title, const QString& proposal);
     void renameShownKind();
     void exportShown();
     void importFile();

@@ -271,6 +271,7 @@ void StatesDock::connectParts()
     connect(&m_state.document(), &model::SceneDocument::editRefused, &m_rebuild,
             qOverload<>(&QTimer::start));
     connectKeys();
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // long names end in an ellipsis
     connect(m_list, &QListWidget::itemDoubleClicked, this, [this] { recallChosen(); });
     connect(m_list, &QListWidget::currentRowChanged, this, [this] {
         refreshNotes();
