@@ -1051,6 +1051,14 @@
         <source>The last moment of what is played, or has been</source>
         <translation>Der letzte Augenblick dessen, was abgespielt wird oder wurde</translation>
     </message>
+    <message>
+        <source>Take It from &amp;Here</source>
+        <translation>Von &amp;hier an neu</translation>
+    </message>
+    <message>
+        <source>The run goes on from the moment shown; what came after it is forgotten</source>
+        <translation>Der Lauf geht vom gezeigten Augenblick an weiter; was danach kam, wird vergessen</translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -2109,6 +2117,13 @@
     <message>
         <source>Change “%1”</source>
         <translation>„%1“ ändern</translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” is gone; %n characters had a value of it</source>
+        <translation>
+            <numerusform>„%1“ ist weg; %n Figur hatte einen Wert davon</numerusform>
+            <numerusform>„%1“ ist weg; %n Figuren hatten einen Wert davon</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5900,6 +5915,13 @@
             <numerusform>%n weitere sind jetzt ausgewählt</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>No seat is free near %n of them: they stand</source>
+        <translation>
+            <numerusform>Kein Platz ist in der Nähe von %n von ihnen frei: sie steht</numerusform>
+            <numerusform>Kein Platz ist in der Nähe von %n von ihnen frei: sie stehen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Relations</name>
@@ -8759,6 +8781,10 @@ Verworfen ist sie fort.</translation>
         <source>back to the start, everybody where the scene has them</source>
         <translation>zurück zum Anfang, alle dort, wo die Szene sie hat</translation>
     </message>
+    <message>
+        <source>goes on from the moment shown and forgets what came after it</source>
+        <translation>geht vom gezeigten Augenblick an weiter und vergisst, was danach kam</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::MainWindow</name>
@@ -9335,6 +9361,14 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>This machine cannot compute what the crowd does as fast as it is to play.</source>
         <translation>Dieser Rechner kann nicht so schnell berechnen, was die Menge tut, wie sie spielen soll.</translation>
+    </message>
+    <message>
+        <source>What came after %1 s is played anew</source>
+        <translation>Was nach %1 s kam, wird neu gespielt</translation>
+    </message>
+    <message>
+        <source>Too much was edited since it was started: this happens at the latest moment. Stop and play to go back to any moment again.</source>
+        <translation>Seit dem Start wurde zu viel geändert: Das geschieht im letzten Augenblick. Halten Sie an und spielen Sie neu, um wieder zu jedem Augenblick zurückzukehren.</translation>
     </message>
 </context>
 <context>
@@ -11939,6 +11973,10 @@ C drücken und Figuren auf den Boden malen.</translation>
     <message>
         <source>The memory for baked animations is used up: some characters stand still. The preferences set its size.</source>
         <translation>Der Speicher für Animationen ist voll: Manche Figuren stehen still. Die Größe steht in den Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Playing up to this moment once more</source>
+        <translation>Spielt bis zu diesem Augenblick noch einmal</translation>
     </message>
 </context>
 <context>

@@ -1051,6 +1051,14 @@
         <source>The last moment of what is played, or has been</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Take It from &amp;Here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The run goes on from the moment shown; what came after it is forgotten</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -2109,6 +2117,13 @@
     <message>
         <source>Change “%1”</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” is gone; %n characters had a value of it</source>
+        <translation>
+            <numerusform>“%1” is gone; %n character had a value of it</numerusform>
+            <numerusform>“%1” is gone; %n characters had a value of it</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5900,6 +5915,13 @@
             <numerusform>%n more are selected now</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>No seat is free near %n of them: they stand</source>
+        <translation>
+            <numerusform>No seat is free near %n of them: it stands</numerusform>
+            <numerusform>No seat is free near %n of them: they stand</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Relations</name>
@@ -8754,6 +8776,10 @@ Thrown away, it is gone.</source>
         <source>back to the start, everybody where the scene has them</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>goes on from the moment shown and forgets what came after it</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::MainWindow</name>
@@ -9327,6 +9353,14 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>This machine cannot compute what the crowd does as fast as it is to play.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What came after %1 s is played anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too much was edited since it was started: this happens at the latest moment. Stop and play to go back to any moment again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11928,6 +11962,10 @@ Press C and paint characters on the ground.</source>
     </message>
     <message>
         <source>The memory for baked animations is used up: some characters stand still. The preferences set its size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Playing up to this moment once more</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

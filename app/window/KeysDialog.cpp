@@ -136,6 +136,8 @@ void KeysDialog::addPainting(CardList& list, widgets::ButtonMapping buttons)
     list.row(tr("%1, %2, %3")
                  .arg(list.keysOf("step"), list.keysOf("step-back"), list.keysOf("catch-up")),
              tr("one step on, one back; to the latest moment of the run"));
+    list.row(list.keysOf("take-from-here"),
+             tr("goes on from the moment shown and forgets what came after it"));
     list.row(list.keysOf("stop"), tr("back to the start, everybody where the scene has them"));
     list.row(list.keysOf("keep-pose"), tr("keeps everybody where they are now"));
 }

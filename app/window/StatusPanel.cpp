@@ -61,6 +61,16 @@ StatusPanel::StatusPanel(widgets::EditorState& state, QWidget* parent)
         m_remark = text;
         showMessage(text, kRemarkMs);
     });
+    connect(&state.session(), &widgets::SessionControl::takenFrom, this, [this](double seconds) {
+        showMessage(
+            tr("What came after %1 s is played anew").arg(QLocale().toString(seconds, 'f', 1)),
+            kRemarkMs);
+    });
+    connect(&state.session(), &widgets::SessionControl::takeRefused, this, [this] {
+        showMessage(tr("Too much was edited since it was started: this happens at the latest "
+                       "moment. Stop and play to go back to any moment again."),
+                    kRemarkMs);
+    });
     connect(this, &QStatusBar::messageChanged, this, &QWidget::setToolTip);
     connect(&state.ground(), &widgets::GroundFinder::waiting, this, &StatusPanel::showWaiting);
     connect(&state.ground(), &widgets::GroundFinder::findingChanged, this,

@@ -33,6 +33,7 @@ TimeSlider::TimeSlider(widgets::EditorState& state, QWidget* parent)
                   "then happens at its latest moment."));
     connect(&state.transport(), &widgets::Transport::timeChanged, this, &TimeSlider::refresh);
     connect(&state.session(), &widgets::SessionControl::stateChanged, this, &TimeSlider::refresh);
+    connect(&state.session(), &widgets::SessionControl::takenFrom, this, &TimeSlider::refresh);
     refresh();
 }
 

@@ -304,6 +304,17 @@ const WindowAction kPlayActions[] = {
     {{"catch-up", QT_TRANSLATE_NOOP("Actions", "&Latest Moment"), "catch-up", "Ctrl+End",
       QT_TRANSLATE_NOOP("Actions", "From an earlier moment back to where the run has come")},
      [](MainWindow& w, bool) { w.state().session().catchUp(); }},
+    {{"take-from-here", QT_TRANSLATE_NOOP("Actions", "Take It from &Here"), "take-from-here",
+      "Ctrl+Alt+H",
+      QT_TRANSLATE_NOOP("Actions",
+                        "The run goes on from the moment shown; what came after it is forgotten")},
+     [](MainWindow& w, bool) { w.state().session().takeFromHere(); },
+     {.inputs = ActionInput::Session | ActionInput::Playback,
+      .isEnabled =
+          [](MainWindow& w) {
+              const auto& session = w.state().session();
+              return session.isRunning() && w.state().transport().seconds() < session.liveSeconds();
+          }}},
     {{"stop", QT_TRANSLATE_NOOP("Actions", "S&top"), "stop", "Ctrl+Home",
       QT_TRANSLATE_NOOP("Actions", "Back to the start, everybody where the scene has them")},
      [](MainWindow& w, bool) { w.state().session().stop(); }},

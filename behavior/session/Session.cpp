@@ -108,6 +108,11 @@ std::uint64_t Session::steps() const
     return m_parts->clock.steps;
 }
 
+std::uint32_t Session::stepsPerSecond() const
+{
+    return m_parts->clock.stepsPerSecond;
+}
+
 double Session::seconds() const
 {
     return m_parts->clock.seconds();

@@ -38,6 +38,7 @@ public:
     void step();
     [[nodiscard]] std::uint64_t steps() const;
     [[nodiscard]] double seconds() const;
+    [[nodiscard]] std::uint32_t stepsPerSecond() const;
     /// The transport's time at the beginning: only where clips stand depends on it.
     void setStart(double seconds);
 

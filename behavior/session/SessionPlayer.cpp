@@ -2,123 +2,19 @@
 #include "behavior/session/SessionPlayer.h"
 
 #include <algorithm>
-#include <atomic>
-#include <condition_variable>
-#include <deque>
-#include <mutex>
+#include <cmath>
 #include <thread>
 #include <utility>
 
-#include "behavior/session/MotionCache.h"
-#include "behavior/session/MotionReader.h"
+#include "behavior/session/SessionRun.h"
 
 namespace crowd::behavior {
 
 namespace {
 
-constexpr double kReadySeconds = 1.2; ///< before the last step: they need not be unpacked
-constexpr double kSlack = 1e-9;       ///< seconds; sums of steps are not exact
-constexpr std::size_t kMaxLog = 200'000;
+constexpr double kPartOfStep = 1e-6; ///< by which times of steps are not exact
 
 } // namespace
-
-/// One session and its thread, with all that passes between that and the player.
-struct SessionPlayer::Run
-{
-    using Order = std::function<void(Run& run)>;
-
-    std::unique_ptr<Session> session; ///< the thread's, once it runs
-    std::function<void()> published;
-    mutable std::mutex mutex;
-    std::condition_variable_any wake;
-    std::atomic<bool> isOver{false}; ///< the last that the thread does
-    // Under the mutex.
-    std::vector<Order> orders;
-    double wanted = 0.0;
-    std::deque<SessionPosePtr> poses; ///< the latest ones, ascending
-    Report report;
-    SessionTally tally;
-    std::vector<RuleFired> log;
-    model::Timeline performed; ///< by perform()
-
-    /// All steps but the last one, which an edit may still change.
-    std::shared_ptr<MotionCache> cache = std::make_shared<MotionCache>();
-    std::unique_ptr<MotionReader> reader = std::make_unique<MotionReader>(cache); ///< the picture's
-    std::jthread thread; ///< last: ends first
-
-    void serve(const std::stop_token& token);
-    [[nodiscard]] SessionPosePtr publish();
-    void release();
-    [[nodiscard]] std::pair<SessionPosePtr, SessionPosePtr> readyAround(double seconds) const;
-};
-
-void SessionPlayer::Run::serve(const std::stop_token& token)
-{
-    while (!token.stop_requested()) {
-        std::vector<Order> taken;
-        bool isStepWanted = false;
-        {
-            std::unique_lock lock(mutex);
-            wake.wait(lock, token,
-                      [&] { return !orders.empty() || session->seconds() + kSlack < wanted; });
-            taken = std::exchange(orders, {});
-            isStepWanted = session->seconds() + kSlack < wanted;
-        }
-        for (const Order& order : taken) {
-            if (token.stop_requested()) {
-                return;
-            }
-            order(*this);
-        }
-        if (token.stop_requested()) {
-            return;
-        }
-        if (isStepWanted) {
-            session->step();
-        }
-        if (!token.stop_requested()) {
-            const SessionPosePtr before = publish();
-            published();
-            if (before) {
-                cache->add(before); // nobody waits for that
-            }
-        }
-    }
-}
-
-/// Whoever ended it may not ask again for long: it holds the scene's characters and stages.
-void SessionPlayer::Run::release()
-{
-    session.reset();
-    cache.reset();
-    reader.reset();
-    const std::scoped_lock lock(mutex);
-    orders.clear();
-    poses.clear();
-}
-
-/// The step before, where this is another one: nothing changes it any more.
-SessionPosePtr SessionPlayer::Run::publish()
-{
-    SessionPosePtr pose = session->pose();
-    std::vector<Problem> problems = session->problems();
-    const std::vector<RuleFired> fired = session->rules().takeLog();
-    const std::scoped_lock lock(mutex);
-    SessionPosePtr before = poses.back();
-    if (before->step == pose->step) {
-        poses.pop_back(); // the same step, after an edit
-        before = nullptr;
-    }
-    poses.push_back(std::move(pose));
-    while (poses.size() > 1 && poses[1]->seconds <= poses.back()->seconds - kReadySeconds) {
-        poses.pop_front();
-    }
-    report = {std::move(problems), session->rules().counts()};
-    if (log.size() < kMaxLog) {
-        log.insert(log.end(), fired.begin(), fired.end());
-    }
-    return before;
-}
 
 SessionPlayer::SessionPlayer(std::function<void()> published) : m_published(std::move(published)) {}
 
@@ -131,20 +27,12 @@ void SessionPlayer::start(const model::Scene& scene, double seconds,
                           std::shared_ptr<const WalkSurface> surface)
 {
     stop();
-    m_run = std::make_unique<Run>();
+    m_run = std::make_unique<Run>(scene, seconds, std::move(surface));
     Run& run = *m_run;
     run.published = m_published;
-    run.session = std::make_unique<Session>(scene);
-    run.session->setStart(seconds);
-    if (surface) {
-        run.session->setSurface(std::move(surface));
-    }
-    run.poses = {run.session->pose()};
-    run.wanted = seconds;
-    run.report = {run.session->problems(), {}};
-    run.tally = run.session->tally();
-    run.thread = std::jthread([&run](const std::stop_token& token) {
-        run.serve(token);
+    run.thread = std::jthread([&run](std::stop_token token) {
+        run.token = std::move(token);
+        run.serve();
         run.release();
         run.isOver = true;
     });
@@ -177,28 +65,29 @@ void SessionPlayer::adopt(const model::Scene& scene, bool arePosesKept)
 {
     // A snapshot: columns and assets are shared, not copied.
     give([copy = std::make_shared<const model::Scene>(scene), arePosesKept](Run& run) {
-        run.session->adopt(*copy, arePosesKept);
+        run.act([copy, arePosesKept](Session& session) { session.adopt(*copy, arePosesKept); },
+                copy.get());
     });
 }
 
 void SessionPlayer::adopt(const model::Scene& scene, const model::ChangeOver& change)
 {
     give([copy = std::make_shared<const model::Scene>(scene), change](Run& run) {
-        run.session->adopt(*copy, change);
+        run.act([copy, change](Session& session) { session.adopt(*copy, change); }, copy.get());
     });
 }
 
 void SessionPlayer::setSurface(std::shared_ptr<const WalkSurface> surface)
 {
-    give([surface = std::move(surface)](Run& run) { run.session->setSurface(surface); });
+    give([surface = std::move(surface)](Run& run) { run.walkOn(surface); });
 }
 
 void SessionPlayer::perform(const model::Mark& mark)
 {
     give([mark](Run& run) {
         model::Mark done = mark;
-        done.seconds = run.session->seconds();
-        run.session->perform(done);
+        done.seconds = run.startSeconds + static_cast<double>(run.steps) / run.stepsPerSecond;
+        run.act([done](Session& session) { session.perform(done); });
         const std::scoped_lock lock(run.mutex);
         if (done.id != 0) {
             run.performed.push_back(std::move(done));
@@ -213,6 +102,53 @@ model::Timeline SessionPlayer::takePerformed()
     }
     const std::scoped_lock lock(m_run->mutex);
     return std::exchange(m_run->performed, {});
+}
+
+bool SessionPlayer::take(std::uint64_t step, std::uint64_t forgottenFrom)
+{
+    {
+        const std::scoped_lock lock(m_run->mutex);
+        if (!m_run->isWhole) {
+            return false;
+        }
+        const Run::Take wish{++m_run->takes, step, forgottenFrom};
+        m_run->wanted = m_run->startSeconds + static_cast<double>(step) / m_run->stepsPerSecond;
+        m_run->taking = Run::Taking{m_run->wanted, 0.0};
+        m_run->orders.emplace_back([wish](Run& run) { run.take(wish); });
+    }
+    m_run->wake.notify_all();
+    return true;
+}
+
+bool SessionPlayer::takeFrom(double seconds)
+{
+    if (!m_run) {
+        return false;
+    }
+    const double since = std::min(seconds, available()) - m_run->startSeconds;
+    const auto step =
+        static_cast<std::uint64_t>(std::max(0.0, since * m_run->stepsPerSecond + kPartOfStep));
+    return take(step, step + 1);
+}
+
+bool SessionPlayer::takeBefore(double seconds)
+{
+    if (!m_run) {
+        return false;
+    }
+    const double since = std::min(seconds, available()) - m_run->startSeconds;
+    const double steps = std::ceil(since * m_run->stepsPerSecond - kPartOfStep);
+    const auto next = static_cast<std::uint64_t>(std::max(0.0, steps)); // told then: too late
+    return take(next > 0 ? next - 1 : 0, next);
+}
+
+std::optional<double> SessionPlayer::takenShare() const
+{
+    if (!m_run) {
+        return std::nullopt;
+    }
+    const std::scoped_lock lock(m_run->mutex);
+    return m_run->taking ? std::optional(m_run->taking->share) : std::nullopt;
 }
 
 void SessionPlayer::request(double seconds)
@@ -236,7 +172,7 @@ double SessionPlayer::available() const
         return 0.0;
     }
     const std::scoped_lock lock(m_run->mutex);
-    return m_run->poses.back()->seconds;
+    return m_run->taking ? m_run->taking->seconds : m_run->poses.back()->seconds;
 }
 
 double SessionPlayer::first() const
@@ -244,15 +180,19 @@ double SessionPlayer::first() const
     if (!m_run) {
         return 0.0;
     }
-    const MotionCache::Extent kept = m_run->reader->cache().extent();
     const std::scoped_lock lock(m_run->mutex);
+    const MotionCache::Extent kept = m_run->cache->extent();
     const double ready = m_run->poses.front()->seconds;
     return kept.steps > 0 ? std::min(kept.first, ready) : ready;
 }
 
 std::shared_ptr<MotionCache> SessionPlayer::motion() const
 {
-    return m_run ? m_run->cache : nullptr;
+    if (!m_run) {
+        return nullptr;
+    }
+    const std::scoped_lock lock(m_run->mutex);
+    return m_run->cache;
 }
 
 std::pair<SessionPosePtr, SessionPosePtr> SessionPlayer::posesAround(double seconds) const
@@ -260,28 +200,26 @@ std::pair<SessionPosePtr, SessionPosePtr> SessionPlayer::posesAround(double seco
     if (!m_run) {
         return {};
     }
+    std::shared_ptr<MotionReader> reader;
+    bool isLast = false; // what comes after it is being forgotten
     {
         const std::scoped_lock lock(m_run->mutex);
-        if (seconds >= m_run->poses.front()->seconds) {
-            return m_run->readyAround(seconds);
+        if (m_run->taking && seconds >= m_run->taking->seconds) {
+            seconds = m_run->taking->seconds + kTimeSlack;
+            isLast = true;
         }
+        if (seconds >= m_run->poses.front()->seconds) {
+            return m_run->readyAround(seconds, isLast);
+        }
+        reader = m_run->reader;
     }
-    auto kept = m_run->reader->around(seconds);
+    auto kept = reader->around(seconds);
     if (kept.first) {
-        return kept;
+        return {kept.first, isLast ? kept.first : kept.second};
     }
     // Nothing is kept yet, or it is damaged.
     const std::scoped_lock lock(m_run->mutex);
-    return m_run->readyAround(seconds);
-}
-
-/// Of those that need not be unpacked; under the mutex.
-std::pair<SessionPosePtr, SessionPosePtr> SessionPlayer::Run::readyAround(double seconds) const
-{
-    const auto next = std::ranges::find_if(
-        poses, [&](const SessionPosePtr& pose) { return pose->seconds > seconds; });
-    const SessionPosePtr after = next == poses.end() ? poses.back() : *next;
-    return {next == poses.begin() || next == poses.end() ? after : *std::prev(next), after};
+    return m_run->readyAround(seconds, isLast);
 }
 
 SessionPosePtr SessionPlayer::poseAt(double seconds) const
@@ -309,6 +247,9 @@ SessionPlayer::Report SessionPlayer::report() const
 void SessionPlayer::askTally()
 {
     give([](Run& run) {
+        if (!run.session) {
+            return; // it is asked anew
+        }
         SessionTally tally = run.session->tally();
         const std::scoped_lock lock(run.mutex);
         run.tally = std::move(tally);
@@ -330,6 +271,9 @@ std::vector<RuleFired> SessionPlayer::takeLog()
         return {};
     }
     const std::scoped_lock lock(m_run->mutex);
+    if (m_run->taking) {
+        return {}; // some of it is to be forgotten
+    }
     return std::exchange(m_run->log, {});
 }
 

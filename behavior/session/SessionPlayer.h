@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,6 +49,17 @@ public:
     /// See Session::perform().
     void perform(const model::Mark& mark);
 
+    /// What comes after the step that is shown at this time is forgotten: the run goes on from
+    /// there, and what it is told next happens there. All until then is computed once more on its
+    /// thread, from what it was told, and is the same bit for bit; until that is done nothing later
+    /// is shown. False: too much was edited to be told once more, and nothing happens.
+    bool takeFrom(double seconds);
+    /// The same from the last step that is earlier than this time, so that what happens then can
+    /// be another.
+    bool takeBefore(double seconds);
+    /// The share that is computed of what takes until then; nothing: it is done.
+    [[nodiscard]] std::optional<double> takenShare() const;
+
     /// Steps are wanted up to this time, seconds.
     void request(double seconds);
     /// Time of the last step that is done.
@@ -74,6 +88,7 @@ private:
     struct Run;
 
     void give(std::function<void(Run& run)> order);
+    bool take(std::uint64_t step, std::uint64_t forgottenFrom);
     [[nodiscard]] std::pair<SessionPosePtr, SessionPosePtr> posesAround(double seconds) const;
 
     std::function<void()> m_published;

@@ -8,6 +8,7 @@
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QSlider>
 
+#include "app/window/StatusPanel.h"
 #include "tests/app/SceneWindow.h"
 #include "tests/program/WindowTest.h"
 #include "widgets/actions/ActionRegistry.h"
@@ -25,7 +26,8 @@ private Q_SLOTS:
     void init() { begin(); }
     void aDragShowsEarlierMoments();
     void stepsGoBackAndForth();
-    void whatIsDoneHappensAtTheLatestMoment();
+    void whatIsDoneHappensAtTheMomentShown();
+    void itIsTakenFromThere();
     void clipsAloneAreSeenAgain();
 
 private:
@@ -35,6 +37,16 @@ private:
     }
     [[nodiscard]] widgets::Transport& transport() const { return m_window->state().transport(); }
     [[nodiscard]] widgets::SessionControl& session() const { return m_window->state().session(); }
+    [[nodiscard]] bool isComputed() const
+    {
+        return QTest::qWaitFor([this] { return session().takenShare() < 0.0; },
+                               crowd::testing::kPatienceMs);
+    }
+    [[nodiscard]] float xAt(double seconds) const
+    {
+        transport().setSeconds(seconds);
+        return shownX();
+    }
     [[nodiscard]] float shownX() const
     {
         return m_window->state().frame()->population.column(model::columns::position).front().x;
@@ -116,26 +128,62 @@ void TestTimeSlider::stepsGoBackAndForth()
     QCOMPARE(transport().seconds(), session().liveSeconds());
 }
 
-void TestTimeSlider::whatIsDoneHappensAtTheLatestMoment()
+/// What was before it stays, what came after it is played anew.
+void TestTimeSlider::whatIsDoneHappensAtTheMomentShown()
 {
     play();
     const double live = session().liveSeconds();
-    transport().setSeconds(live / 2.0);
+    const double middle = live / 2.0;
+    const float early = xAt(live / 4.0);
+    const float late = xAt(middle);
     document().edit(QStringLiteral("Height"), [&](model::SceneEdit& edit) {
         edit.setColumn(model::columns::height, document().scene().population.ids(),
                        std::span<const float>(std::array{1.5F}));
     });
-    QCOMPARE(transport().seconds(), live / 2.0); // it is seen then, too
+    QCOMPARE(transport().seconds(), middle);
+    QCOMPARE(session().liveSeconds(), live); // it is seen at all times
     session().send({"wave", 0.0F}, document().scene().population.ids());
-    QCOMPARE(transport().seconds(), live);
-    transport().setSeconds(live / 2.0);
+    // At the step before it.
+    const double step = 1.0 / document().scene().stepsPerSecond;
+    const double taken = session().liveSeconds();
+    QVERIFY(taken <= middle && taken > middle - step);
+    QCOMPARE(transport().seconds(), taken);
+    QVERIFY(isComputed());
+    QCOMPARE(xAt(live / 4.0), early);
+    QVERIFY(std::abs(xAt(taken) - late) < 0.1F);
     crowd::testing::moveEverybody(document(), -20.0F);
-    QCOMPARE(transport().seconds(), live);
-    transport().setSeconds(live / 2.0);
-    const float kept = shownX();
+    QCOMPARE(transport().seconds(), taken);
+    QVERIFY(isComputed());
+    QTRY_VERIFY_WITH_TIMEOUT(shownX() < late - 10.0F, crowd::testing::kPatienceMs);
+    QCOMPARE(xAt(live / 4.0), early);
+    // Kept as they were a while ago: it goes on from there.
     QVERIFY(session().keepPose());
-    QCOMPARE(document().scene().population.column(model::columns::position).front().x, kept);
-    QCOMPARE(transport().seconds(), live);
+    QCOMPARE(document().scene().population.column(model::columns::position).front().x, early);
+    QVERIFY(session().liveSeconds() <= live / 4.0);
+    QVERIFY(isComputed());
+    QVERIFY(std::abs(shownX() - early) < 0.1F);
+    transport().setPlaying(true);
+    QTRY_VERIFY_WITH_TIMEOUT(transport().seconds() > middle, crowd::testing::kPatienceMs);
+    QVERIFY(shownX() > early);
+}
+
+void TestTimeSlider::itIsTakenFromThere()
+{
+    play();
+    const double live = session().liveSeconds();
+    QAction* take = m_window->actions().action("take-from-here");
+    QVERIFY(!take->isEnabled());
+    const float there = xAt(live / 2.0);
+    QVERIFY(take->isEnabled());
+    take->trigger();
+    QCOMPARE(session().liveSeconds(), transport().seconds());
+    QVERIFY(std::abs(session().liveSeconds() - live / 2.0) < 0.05);
+    QTRY_VERIFY_WITH_TIMEOUT(!take->isEnabled(), crowd::testing::kPatienceMs);
+    QVERIFY(isComputed());
+    QCOMPARE(slider()->value(), slider()->maximum());
+    QVERIFY(std::abs(shownX() - there) < 0.1F);
+    auto* status = m_window->findChild<app::StatusPanel*>();
+    QVERIFY(status->currentMessage().contains(QStringLiteral("played anew")));
 }
 
 /// Where nobody goes anywhere there is no run; the clock is the same.

@@ -26,6 +26,7 @@ crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_RuleTriggers
     tst_RuleWalks
     tst_Rules
+    tst_RunJournal
     tst_Session
     tst_SessionEdits
     tst_SessionSteps

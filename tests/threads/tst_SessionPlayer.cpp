@@ -10,6 +10,7 @@
 #include <QtCore/QElapsedTimer>
 #include <QtTest/QTest>
 
+#include "behavior/session/MotionCache.h"
 #include "tests/program/Test.h"
 
 using namespace crowd;
@@ -24,6 +25,8 @@ class SessionPlayerTest : public QObject
 private Q_SLOTS:
     void editsWhileItRuns();
     void earlierTimesAreAsTheyWere();
+    void goesOnFromAnEarlierTime();
+    void whatIsToldLaterCounts();
     void stopsInTheMiddle();
     void stoppingWaitsForNobody();
     void peopleAreCountedWhenAsked();
@@ -103,6 +106,97 @@ void SessionPlayerTest::editsWhileItRuns()
     QVERIFY(lookAt(player, scene, player.available()));
     QVERIFY(published > 0);
     QCOMPARE(player.report().fired.at(1), std::uint64_t{40});
+}
+
+namespace {
+
+/// Where everybody is, then.
+std::vector<glm::vec3> placesAt(const SessionPlayer& player, const model::Scene& scene,
+                                double seconds)
+{
+    model::CrowdFrame frame{scene.population, nullptr, seconds};
+    player.pose(frame);
+    const auto places = frame.population.column(model::columns::position);
+    return {places.begin(), places.end()};
+}
+
+bool comesTo(const SessionPlayer& player, double seconds)
+{
+    return QTest::qWaitFor(
+        [&] { return !player.takenShare() && player.available() >= seconds - 1e-6; }, 60000);
+}
+
+model::Mark runMark()
+{
+    model::Mark mark;
+    mark.id = 1;
+    mark.kind = model::MarkKind::Event;
+    mark.event = "run";
+    mark.people = {5, 900};
+    return mark;
+}
+
+} // namespace
+
+/// Told nothing else, it comes to the same; what came before is never another.
+void SessionPlayerTest::goesOnFromAnEarlierTime()
+{
+    const model::Scene scene = squareScene();
+    SessionPlayer player([] {});
+    player.start(scene, 1.0);
+    player.request(1.4);
+    QVERIFY(comesTo(player, 1.4));
+    player.perform(runMark());
+    player.request(3.0);
+    QVERIFY(comesTo(player, 3.0));
+    const auto early = placesAt(player, scene, 1.31);
+    const auto late = placesAt(player, scene, 2.72);
+    std::uint64_t fired = player.report().fired.at(1);
+    QCOMPARE(fired, std::uint64_t{2});
+    const auto kept = player.motion();
+    QVERIFY(player.takeFrom(2.0));
+    QVERIFY(player.available() <= 2.0 + 1e-9); // at once
+    QVERIFY(placesAt(player, scene, 1.31) == early);
+    QVERIFY(placesAt(player, scene, 2.72) == placesAt(player, scene, 2.0));
+    player.request(3.0);
+    QVERIFY(comesTo(player, 3.0));
+    QVERIFY(placesAt(player, scene, 1.31) == early);
+    QVERIFY(placesAt(player, scene, 2.72) == late);
+    QCOMPARE(player.report().fired.at(1), fired);
+    QCOMPARE(player.first(), 1.0);
+    QVERIFY(kept->extent().last > 2.5); // who reads it goes on reading
+    QVERIFY(player.takeBefore(1.3));    // nobody has heard yet
+    player.request(3.0);
+    QVERIFY(comesTo(player, 3.0));
+    QVERIFY(placesAt(player, scene, 2.72) != late);
+}
+
+/// Also where one take follows the other before it is done.
+void SessionPlayerTest::whatIsToldLaterCounts()
+{
+    const model::Scene scene = squareScene();
+    SessionPlayer player([] {});
+    player.start(scene);
+    player.request(2.0);
+    QVERIFY(comesTo(player, 2.0));
+    (void)player.takeLog();
+    QVERIFY(player.takeFrom(1.8));
+    player.perform(runMark());
+    QVERIFY(player.takeFrom(1.0));
+    player.perform(runMark());
+    QVERIFY(player.takeFrom(0.5));
+    player.perform(runMark());
+    QVERIFY(player.takenShare());
+    player.request(2.0);
+    QVERIFY(comesTo(player, 2.0));
+    const auto log = player.takeLog();
+    QCOMPARE(log.size(), std::size_t{2});
+    QVERIFY(std::abs(log.front().seconds - 0.5) < 0.1);
+    QCOMPARE(player.takePerformed().size(), std::size_t{3}); // asked for, and heard once
+    QCOMPARE(player.report().fired.at(1), std::uint64_t{2});
+    QVERIFY(player.takeFrom(0.2));
+    player.stop();
+    QVERIFY(!player.takeFrom(0.1) && !player.takeBefore(0.1));
 }
 
 /// Also those that are packed, and while it goes on.

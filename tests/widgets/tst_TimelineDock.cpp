@@ -109,6 +109,7 @@ private Q_SLOTS:
     void theChosenAreRemoved();
     void theFormChangesTheMark();
     void whatIsPerformedIsRecorded();
+    void aMarkThatIsAnotherIsPlayedAnew();
     void theRulerShowsWhatWasPlayed();
     void itGoesFromMarkToMark();
     void timesAreShownInFrames();
@@ -256,6 +257,51 @@ void TestTimelineDock::whatIsPerformedIsRecorded()
     QCOMPARE(desk.marks().size(), std::size_t{2});
     desk.document.undoStack().undo();
     QVERIFY(desk.marks().empty());
+}
+
+/// What comes after it happens anew, and the moment that is shown stays.
+void TestTimelineDock::aMarkThatIsAnotherIsPlayedAnew()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    const auto fired = [&desk] { return desk.state.session().firedCount(1); };
+    QVERIFY(addMark(desk.state, model::MarkKind::Cue, 1.0) != 0);
+    model::Mark mark = desk.marks()[0];
+    mark.cue = 4;
+    desk.document.edit(QStringLiteral("Cue"), [&mark](model::SceneEdit& edit) {
+        edit.set<model::members::Timeline>({mark});
+    });
+    desk.playTo(2.0);
+    QTRY_COMPARE_WITH_TIMEOUT(fired(), std::uint64_t{4}, kTimelinePatienceMs);
+    const double shown = desk.state.transport().seconds();
+    const auto isListed = [&desk](double from, double to) {
+        const auto all = desk.state.session().firings().since(0);
+        return std::ranges::count_if(all, [from, to](const behavior::RuleFired& each) {
+            return each.seconds >= from && each.seconds <= to;
+        });
+    };
+    QCOMPARE(isListed(0.9, 1.2), 4);
+    mark.seconds = 1.5;
+    desk.document.edit(QStringLiteral("Later"), [&mark](model::SceneEdit& edit) {
+        edit.set<model::members::Timeline>({mark});
+    });
+    QCOMPARE(desk.state.transport().seconds(), shown);
+    QTRY_COMPARE_WITH_TIMEOUT(isListed(1.4, 1.7), 4, kTimelinePatienceMs);
+    QCOMPARE(isListed(0.0, 1.4), 0);
+    QCOMPARE(desk.state.session().liveSeconds(), shown);
+    desk.drag(desk.at(model::MarkKind::Cue, 1.5), desk.at(model::MarkKind::Cue, 7.0));
+    QVERIFY2(isNear(desk.marks()[0].seconds, 7.0),
+             qPrintable(QString::number(desk.marks()[0].seconds)));
+    QTRY_COMPARE_WITH_TIMEOUT(fired(), std::uint64_t{0}, kTimelinePatienceMs);
+    QCOMPARE(desk.state.transport().seconds(), shown);
+    desk.document.undoStack().undo();
+    desk.document.undoStack().undo(); // the next one before the first is done
+    QTRY_COMPARE_WITH_TIMEOUT(isListed(0.9, 1.2), 4, kTimelinePatienceMs);
+    QCOMPARE(fired(), std::uint64_t{4});
+    // A name for a moment, or for a mark, changes nothing.
+    const auto number = desk.state.session().firings().begin();
+    (void)addMark(desk.state, model::MarkKind::Marker, 0.5);
+    QCOMPARE(desk.state.session().firings().begin(), number);
 }
 
 void TestTimelineDock::theRulerShowsWhatWasPlayed()

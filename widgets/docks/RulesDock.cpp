@@ -338,6 +338,11 @@ void RulesDock::refreshCounts()
     }
     m_isFilling = false;
     const FiringHistory& firings = m_state.session().firings();
+    if (m_seen < firings.begin()) { // the run goes on from an earlier time, or there were too many
+        m_seen = firings.begin();
+        m_fired.clear();
+        showLog();
+    }
     const auto fired = firings.since(m_seen);
     for (const behavior::RuleFired& each : fired) {
         m_fired.add(each);

@@ -52,6 +52,7 @@ TimelineView::TimelineView(EditorState& state, QWidget* parent)
         });
     connect(&state.transport(), &Transport::timeChanged, this, &TimelineView::followTime);
     connect(&state.session(), &SessionControl::stateChanged, this, [this] { update(); });
+    connect(&state.session(), &SessionControl::takenFrom, this, [this] { update(); });
     connect(&m_fired, &SelectedFirings::changed, this, [this] { update(); });
     followScene();
 }

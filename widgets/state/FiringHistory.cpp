@@ -32,6 +32,14 @@ void FiringHistory::clear()
     m_fired.clear();
 }
 
+void FiringHistory::forgetAfter(double seconds)
+{
+    m_begin = end() + 1; // so that whoever has seen all of it reads it again
+    const auto first =
+        std::ranges::upper_bound(m_fired, seconds, {}, &behavior::RuleFired::seconds);
+    m_fired.erase(first, m_fired.end());
+}
+
 std::span<const behavior::RuleFired> FiringHistory::since(std::uint64_t number) const
 {
     const std::uint64_t from = std::clamp(number, m_begin, end()) - m_begin;

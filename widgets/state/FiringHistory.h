@@ -17,6 +17,8 @@ class FiringHistory
 public:
     void add(const std::vector<behavior::RuleFired>& fired, double startSeconds);
     void clear();
+    /// Of a run that goes on from then. All that is left is as if it were new.
+    void forgetAfter(double seconds);
 
     /// The number of the earliest that is kept, and the one after the last.
     [[nodiscard]] std::uint64_t begin() const { return m_begin; }

@@ -151,12 +151,14 @@ void MarkRecorder::keep()
         m_keep.start(); // a stroke is under way
         return;
     }
+    m_isKeeping = true;
     m_document.edit(tr("Record"), [this](model::SceneEdit& edit) {
         model::Timeline timeline = edit.scene().timeline;
         std::ranges::move(gathered(std::exchange(m_performed, {})), std::back_inserter(timeline));
         std::ranges::sort(timeline, {}, &model::Mark::id);
         edit.set<model::members::Timeline>(std::move(timeline));
     });
+    m_isKeeping = false;
 }
 
 } // namespace crowd::widgets

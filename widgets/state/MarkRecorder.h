@@ -25,6 +25,8 @@ public:
     [[nodiscard]] model::MarkId nextId();
     /// They have been performed, each at its time; ids by nextId().
     void add(model::Timeline performed);
+    /// What was performed is becoming marks right now: it has happened already.
+    [[nodiscard]] bool isKeeping() const { return m_isKeeping; }
     /// Another scene is there: what has not become a mark yet belongs to the one before.
     void forget();
 
@@ -39,6 +41,7 @@ private:
     model::Timeline m_performed; ///< that are not in the scene yet
     model::MarkId m_last = 0;    ///< that was given
     bool m_isOn = false;
+    bool m_isKeeping = false;
 };
 
 } // namespace crowd::widgets

@@ -2,11 +2,9 @@
 #include "widgets/state/SessionControl.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <QtCore/QMetaObject>
@@ -17,6 +15,7 @@
 #include "model/document/SceneEdit.h"
 #include "model/states/ChangeOver.h"
 #include "model/states/StateKeeping.h"
+#include "widgets/state/Invalidation.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/state/SurfaceBuilder.h"
 
@@ -43,19 +42,6 @@ bool hasWalks(const model::Scene& scene)
             return action.kind().text.isWalk && (leave == nullptr || leave->place != 0);
         });
     });
-}
-
-/// Whether it says where somebody is, or how he moves: a session that runs makes that its own.
-bool isOfMotion(const model::SceneChange& change)
-{
-    using model::ColumnId;
-    const auto* changed = std::get_if<model::ColumnsChanged>(&change);
-    return isOneOf<model::IndividualsAdded>(change) ||
-           (changed != nullptr &&
-            std::ranges::any_of(std::array{ColumnId::Position, ColumnId::Heading, ColumnId::Clip,
-                                           ColumnId::Phase, ColumnId::PlaybackSpeed,
-                                           ColumnId::Seat},
-                                [&](ColumnId id) { return changed->columns.contains(id); }));
 }
 
 /// Whether it is more than open ground.
@@ -94,6 +80,7 @@ SessionControl::SessionControl(model::SceneDocument& document, Transport& transp
           QMetaObject::invokeMethod(
               this,
               [this] {
+                  m_frame.reset(); // also where an edit made another of the same step
                   followProblems();
                   takeFirings();
                   m_recorder.add(m_player->takePerformed());
@@ -142,9 +129,7 @@ void SessionControl::followScene(const model::SceneChange& change)
                                         model::LooksChanged, model::SceneReplaced>(change);
     if (isRunning() && !isOfNoInterest && !m_isKeepingPose) {
         m_hand.start();
-        if (isOfMotion(change)) {
-            catchUp(); // what is past stays as it was: it would not be seen
-        }
+        invalidate(change);
     }
     visitChange(change, [this](const model::PathsChanged&) {
         m_ways.start();
@@ -152,6 +137,68 @@ void SessionControl::followScene(const model::SceneChange& change)
             (void)isReady(); // it will be wanted soon
         }
     });
+}
+
+/// What comes after an edit in time; nothing before.
+void SessionControl::invalidate(const model::SceneChange& change)
+{
+    if (isOneOf<model::TimelineChanged>(change)) {
+        invalidateTimeline();
+    } else if (changesMotion(change)) {
+        takeFromHere();
+    }
+}
+
+/// Of a mark that is another one what happens from then on; the time that is shown stays.
+void SessionControl::invalidateTimeline()
+{
+    const model::Timeline& now = m_document.scene().timeline;
+    const model::Timeline before = std::exchange(m_timeline, now);
+    const auto first = firstDifference(before, now, m_startSeconds);
+    const double shown = m_transport.seconds();
+    if (!first || m_recorder.isKeeping() || *first > m_player->available() ||
+        !m_player->takeBefore(*first)) {
+        return; // it has happened already, or it is still to come
+    }
+    m_liveSeconds = std::max(shown, std::min(m_liveSeconds, *first));
+    forgetPlayed();
+    handPending(); // before it comes to the mark
+    m_player->request(m_liveSeconds);
+}
+
+void SessionControl::takeFromHere()
+{
+    const double shown = m_transport.seconds();
+    if (!isRunning() || shown >= m_liveSeconds) {
+        return;
+    }
+    if (!m_player->takeFrom(shown)) {
+        catchUp();
+        Q_EMIT takeRefused();
+        return;
+    }
+    if (!m_transport.isPlaying()) { // at a step: what is done at it is seen at it
+        m_transport.setSeconds(m_player->available());
+    }
+    m_liveSeconds = m_transport.seconds();
+    forgetPlayed();
+    m_player->request(m_liveSeconds);
+}
+
+/// After the step from which the run goes on.
+void SessionControl::forgetPlayed()
+{
+    const double from = m_player->available();
+    m_firings.forgetAfter(from);
+    m_frame.reset();
+    // What was edited later counts, too, but nobody is put anywhere by it.
+    m_player->adopt(*m_handed, true);
+    Q_EMIT takenFrom(from);
+}
+
+double SessionControl::takenShare() const
+{
+    return m_player->takenShare().value_or(-1.0);
 }
 
 /// It is of other stages.
@@ -188,8 +235,8 @@ void SessionControl::changeOver(const model::ChangeOver& change)
 {
     const bool isSeen = m_transport.isPlaying() && !change.timing.isAtOnce();
     if (isRunning() || (isSeen && startForRecall())) {
-        catchUp();
         handPending();
+        takeFromHere();
         m_changing =
             std::make_unique<ChangingPeople>(ChangingPeople{change, m_document.scene().population});
         m_changing->change.timing = isSeen ? change.timing : model::RecallTiming();
@@ -228,8 +275,8 @@ bool SessionControl::perform(const model::Mark& mark)
     if (!isRunning() && !(beginsRun(mark) && startForRecall())) {
         return false;
     }
-    catchUp();
     handPending();
+    takeFromHere();
     model::Mark part = mark;
     std::size_t first = 0;
     do { // a mark of the timeline names no more people than files hold
@@ -261,6 +308,7 @@ void SessionControl::hand()
     } else {
         m_player->adopt(m_document.scene());
     }
+    m_handed = std::make_shared<const model::Scene>(m_document.scene());
 }
 
 /// What was edited before something else happens.
@@ -292,7 +340,8 @@ const model::Population* SessionControl::peopleBefore(double seconds) const
 /// Nobody changes over any more in a session that began for that alone.
 void SessionControl::endRecall()
 {
-    const bool mayEnd = m_isForRecall && !m_hasBehaviour && m_transport.seconds() >= m_liveSeconds;
+    const bool mayEnd = m_isForRecall && !m_hasBehaviour && !m_player->takenShare() &&
+                        m_transport.seconds() >= m_liveSeconds;
     const auto pose = mayEnd ? m_player->poseAt(m_transport.seconds()) : nullptr;
     const bool isBehind =
         m_changing || (pose && pose->sceneVersion != m_document.scene().population.version());
@@ -367,7 +416,9 @@ void SessionControl::start()
     m_liveSeconds = m_startSeconds;
     m_stepsPerSecond = m_document.scene().stepsPerSecond;
     m_firings.clear();
-    m_player->start(m_document.scene(), m_startSeconds, m_surface->current);
+    m_timeline = m_document.scene().timeline;
+    m_handed = std::make_shared<const model::Scene>(m_document.scene());
+    m_player->start(*m_handed, m_startSeconds, m_surface->current);
     m_changing.reset();
     m_frame.reset();
     followProblems();
@@ -380,6 +431,7 @@ void SessionControl::drop()
         takeFirings();
         m_recorder.add(m_player->takePerformed());
         m_player->stop();
+        m_handed.reset();
         m_frame.reset();
         m_changing.reset();
         m_isForRecall = false;
@@ -603,6 +655,9 @@ bool SessionControl::keepPose()
     }
     const model::CrowdFramePtr shown = frame(m_transport.seconds());
     const behavior::SessionPosePtr pose = m_player->poseAt(m_transport.seconds());
+    if (!m_document.isEditOpen()) {
+        takeFromHere(); // it goes on from there
+    }
     m_isKeepingPose = true;
     int people = 0;
     const auto outcome = m_document.edit([&](model::SceneEdit& edit) {
@@ -613,8 +668,8 @@ bool SessionControl::keepPose()
     if (outcome == model::EditOutcome::Refused) {
         return false;
     }
-    m_player->adopt(m_document.scene(), true);
-    catchUp(); // it goes on from there
+    m_handed = std::make_shared<const model::Scene>(m_document.scene());
+    m_player->adopt(*m_handed, true);
     Q_EMIT posesKept(people);
     return outcome == model::EditOutcome::Committed;
 }

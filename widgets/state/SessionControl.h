@@ -15,6 +15,7 @@
 #include "model/brush/BrushSettings.h"
 #include "model/document/SceneDocument.h"
 #include "model/scene/CrowdFrame.h"
+#include "model/scene/Timeline.h"
 #include "widgets/state/FiringHistory.h"
 #include "widgets/state/MarkRecorder.h"
 #include "widgets/state/Transport.h"
@@ -33,7 +34,8 @@ namespace crowd::widgets {
 
 /// Play, as the artist knows it: while the scene has behaviour, playing runs a session that starts
 /// from the scene and never writes to it; without, only the clips' clock. Edits reach a running
-/// session at once. What can be walked on is found in the background first. Main thread; document
+/// session at the time that is shown: what it does later is then computed anew, what it did before
+/// stays. What can be walked on is found in the background first. Main thread; document
 /// and transport outlive it.
 class SessionControl : public QObject
 {
@@ -53,6 +55,12 @@ public:
     void stepBack();
     /// To the latest time that was shown, from an earlier one.
     void catchUp();
+    /// The run goes on from the time that is shown, and what has been played after it is
+    /// forgotten: edits and what is sent to people do that by themselves. Nothing at the latest
+    /// time.
+    void takeFromHere();
+    /// The share that is computed of what comes before that time; below 0: it is there.
+    [[nodiscard]] double takenShare() const;
     /// The earliest time that can be shown again.
     [[nodiscard]] double firstSeconds() const;
     /// The latest that has been shown; what is sent to people happens then.
@@ -115,12 +123,19 @@ Q_SIGNALS:
     void posesKept(int people);
     /// The session has something else to say than before.
     void problemsChanged();
+    /// What was played after this time, seconds, is forgotten.
+    void takenFrom(double seconds);
+    /// Too much was edited since the run began: it goes on at the latest time.
+    void takeRefused();
 
 private:
     struct Surface;
     struct ChangingPeople;
 
     void followScene(const model::SceneChange& change);
+    void invalidate(const model::SceneChange& change);
+    void invalidateTimeline();
+    void forgetPlayed();
     void changeOver(const model::ChangeOver& change);
     void hand();
     void handPending();
@@ -157,7 +172,9 @@ private:
     /// An edit that is on its way to the session; null: none.
     mutable std::unique_ptr<ChangingPeople> m_changing;
     FiringHistory m_firings;
-    bool m_wasPlaying = false;  ///< as of the last frame
+    model::Timeline m_timeline;                   ///< as the session knows it
+    std::shared_ptr<const model::Scene> m_handed; ///< the scene as it was handed last; null: no run
+    bool m_wasPlaying = false;                    ///< as of the last frame
     bool m_isForRecall = false; ///< the scene has no behaviour: the session began for a recall
     bool m_isKeepingPose = false;
     bool m_isSurfaceStale = true;

@@ -471,6 +471,9 @@ WorkStatus ViewportWidget::workStatus()
     if (surface >= 0.0) {
         return {tr("Finding out where characters can walk"), surface, {}, {}};
     }
+    if (const double taken = m_state.session().takenShare(); taken >= 0.0) {
+        return {tr("Playing up to this moment once more"), taken, {}, {}};
+    }
     const auto baking = m_state.keyframes().progress();
     if (baking.pendingClips == 0) {
         m_bakedBefore = baking.finishedClips;

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "behavior/session/SessionRun.h"
+
+#include <algorithm>
+
+namespace crowd::behavior {
+
+namespace {
+
+constexpr double kReadySeconds = 1.2; ///< before the last step: they need not be unpacked
+constexpr std::size_t kMaxLog = 200'000;
+constexpr std::uint64_t kStepsSaid = 30; ///< of a take: then its share is shown
+
+} // namespace
+
+SessionPlayer::Run::Run(const model::Scene& scene, double seconds,
+                        std::shared_ptr<const WalkSurface> surface)
+    : journal(std::make_unique<RunJournal>(scene, seconds, std::move(surface))),
+      startSeconds(seconds), wanted(seconds)
+{
+    session = journal->begin();
+    stepsPerSecond = session->stepsPerSecond();
+    poses = {session->pose()};
+    report = {session->problems(), {}};
+    tally = session->tally();
+}
+
+bool SessionPlayer::Run::isStepWanted() const
+{
+    return session && session->seconds() + kTimeSlack < wanted;
+}
+
+void SessionPlayer::Run::serve()
+{
+    while (!token.stop_requested()) {
+        std::vector<Order> taken;
+        {
+            std::unique_lock lock(mutex);
+            wake.wait(lock, token, [&] { return !orders.empty() || isStepWanted(); });
+            taken = std::exchange(orders, {});
+        }
+        for (const Order& order : taken) {
+            if (token.stop_requested()) {
+                return;
+            }
+            order(*this);
+        }
+        if (token.stop_requested()) {
+            return;
+        }
+        bool isWanted = false;
+        {
+            const std::scoped_lock lock(mutex);
+            isWanted = isStepWanted();
+        }
+        if (isWanted) {
+            session->step();
+            steps = session->steps();
+        }
+        if (session && !token.stop_requested()) {
+            const SessionPosePtr before = publish();
+            published();
+            if (before) {
+                cache->add(before); // nobody waits for that
+            }
+        }
+    }
+}
+
+/// Whoever ended it may not ask again for long: it holds the scene's characters and stages.
+void SessionPlayer::Run::release()
+{
+    session.reset();
+    journal.reset();
+    surface.reset();
+    const std::scoped_lock lock(mutex);
+    cache.reset();
+    reader.reset();
+    orders.clear();
+    poses.clear();
+}
+
+/// Tells the session something that is to be told once more where it is taken from later on.
+void SessionPlayer::Run::act(RunJournal::Act act, const model::Scene* scene)
+{
+    if (session) {
+        act(*session);
+    }
+    if (scene != nullptr) {
+        journal->add(steps, std::move(act), *scene);
+    } else {
+        journal->add(steps, std::move(act));
+    }
+    if (session) { // else that is made of it
+        journal->limit();
+    }
+    const std::scoped_lock lock(mutex);
+    isWhole = journal->isWhole();
+}
+
+void SessionPlayer::Run::walkOn(std::shared_ptr<const WalkSurface> ground)
+{
+    surface = std::move(ground);
+    surfaceStep = steps;
+    act([told = surface](Session& each) { each.setSurface(told); });
+}
+
+/// For a later one, or since all ends.
+bool SessionPlayer::Run::isGivenUp(const Take& wish) const
+{
+    return token.stop_requested() || takes != wish.number;
+}
+
+/// False: given up.
+bool SessionPlayer::Run::replay(Session& again, MotionCache& kept, const Take& wish)
+{
+    while (!isGivenUp(wish)) {
+        journal->tell(again);
+        (void)again.rules().takeLog(); // known already
+        if (again.steps() >= wish.step) {
+            return true;
+        }
+        kept.add(again.pose());
+        again.step();
+        {
+            const std::scoped_lock lock(mutex);
+            taking->share = static_cast<double>(again.steps()) / static_cast<double>(wish.step);
+        }
+        if (again.steps() % kStepsSaid == 0) {
+            published();
+        }
+    }
+    return false;
+}
+
+void SessionPlayer::Run::take(const Take& wish)
+{
+    if (!journal->isWhole()) { // since a moment ago
+        const std::scoped_lock lock(mutex);
+        taking.reset();
+        return;
+    }
+    journal->forgetFrom(wish.forgottenFrom);
+    session.reset();
+    steps = wish.step;
+    std::unique_ptr<Session> again = isGivenUp(wish) ? nullptr : journal->begin();
+    auto kept = std::make_shared<MotionCache>();
+    if (again && replay(*again, *kept, wish)) {
+        goOnWith(std::move(again), std::move(kept));
+        if (surfaceStep && *surfaceStep >= wish.forgottenFrom) {
+            walkOn(std::exchange(surface, nullptr)); // what is known of the ground stays known
+        }
+    }
+}
+
+void SessionPlayer::Run::goOnWith(std::unique_ptr<Session> again, std::shared_ptr<MotionCache> kept)
+{
+    session = std::move(again);
+    auto next = std::make_shared<MotionReader>(kept);
+    SessionPosePtr pose = session->pose();
+    const double since = session->seconds() - startSeconds + kTimeSlack;
+    const std::scoped_lock lock(mutex);
+    cache = std::move(kept);
+    reader = std::move(next);
+    poses = {std::move(pose)};
+    std::erase_if(log, [since](const RuleFired& fired) { return fired.seconds > since; });
+    taking.reset();
+}
+
+/// The step before, where this is another one: nothing changes it any more.
+SessionPosePtr SessionPlayer::Run::publish()
+{
+    SessionPosePtr pose = session->pose();
+    std::vector<Problem> problems = session->problems();
+    const std::vector<RuleFired> fired = session->rules().takeLog();
+    const std::scoped_lock lock(mutex);
+    SessionPosePtr before = poses.back();
+    if (before->step == pose->step) {
+        poses.pop_back(); // the same step, after an edit
+        before = nullptr;
+    }
+    poses.push_back(std::move(pose));
+    while (poses.size() > 1 && poses[1]->seconds <= poses.back()->seconds - kReadySeconds) {
+        poses.pop_front();
+    }
+    report = {std::move(problems), session->rules().counts()};
+    if (log.size() < kMaxLog) {
+        log.insert(log.end(), fired.begin(), fired.end());
+    }
+    return before;
+}
+
+/// Of those that need not be unpacked; under the mutex.
+std::pair<SessionPosePtr, SessionPosePtr> SessionPlayer::Run::readyAround(double seconds,
+                                                                          bool isLast) const
+{
+    const auto next = std::ranges::find_if(
+        poses, [&](const SessionPosePtr& pose) { return pose->seconds > seconds; });
+    const SessionPosePtr after = next == poses.end() ? poses.back() : *next;
+    const SessionPosePtr before =
+        next == poses.begin() || next == poses.end() ? after : *std::prev(next);
+    return {before, isLast ? before : after};
+}
+
+} // namespace crowd::behavior

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/state/Invalidation.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "model/population/Properties.h"
+#include "widgets/state/SceneChanges.h"
+
+namespace crowd::widgets {
+
+namespace {
+
+bool isOfMotion(model::PropertyAspect aspect)
+{
+    using model::PropertyAspect;
+    return aspect == PropertyAspect::Animation || aspect == PropertyAspect::Walking ||
+           aspect == PropertyAspect::Template || aspect == PropertyAspect::Place;
+}
+
+/// Nothing happens there, or the same happens.
+bool doesSame(const model::Mark& a, const model::Mark& b)
+{
+    model::Mark renamed = a;
+    renamed.name = b.name;
+    return renamed == b;
+}
+
+} // namespace
+
+bool changesMotion(const model::SceneChange& change)
+{
+    const auto* changed = std::get_if<model::ColumnsChanged>(&change);
+    return isOneOf<model::IndividualsAdded, model::IndividualsRemoved, model::PathsChanged,
+                   model::RulesChanged, model::RelationsChanged>(change) ||
+           (changed != nullptr &&
+            std::ranges::any_of(model::properties(), [&](const model::PropertyInfo& property) {
+                return changed->columns.contains(property.id) && isOfMotion(property.traits.aspect);
+            }));
+}
+
+std::optional<double> firstDifference(const model::Timeline& before, const model::Timeline& after,
+                                      double since)
+{
+    std::optional<double> first;
+    const auto note = [&first, since](const model::Mark& mark) {
+        if (mark.kind != model::MarkKind::Marker && mark.seconds >= since) {
+            first = std::min(first.value_or(mark.seconds), mark.seconds);
+        }
+    };
+    const auto noteOthers = [&note](const model::Timeline& some, const model::Timeline& others) {
+        for (const model::Mark& mark : some) { // both ascending by id
+            const auto same = std::ranges::lower_bound(others, mark.id, {}, &model::Mark::id);
+            if (same == others.end() || same->id != mark.id || !doesSame(mark, *same)) {
+                note(mark);
+            }
+        }
+    };
+    noteOthers(before, after);
+    noteOthers(after, before);
+    return first;
+}
+
+} // namespace crowd::widgets

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "model/scene/SceneChange.h"
+#include "model/scene/Timeline.h"
+
+/// Which edits of a scene make another of what a run of it has done already.
+namespace crowd::widgets {
+
+/// Whether people do something else from then on: how they look is the same at all times.
+[[nodiscard]] bool changesMotion(const model::SceneChange& change);
+
+/// The earliest time from `since` on, seconds, at which another thing happens in one timeline than
+/// in the other; nothing: there is none.
+[[nodiscard]] std::optional<double> firstDifference(const model::Timeline& before,
+                                                    const model::Timeline& after, double since);
+
+} // namespace crowd::widgets
