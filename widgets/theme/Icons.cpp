@@ -33,6 +33,9 @@ void drawSvg(QPainter& painter, const QRectF& place, const QByteArray& svg)
 QPixmap drawn(const QByteArray& svg, const QSize& pixels)
 {
     QPixmap picture(pixels);
+    if (picture.isNull()) {
+        return picture; // a button that has no room yet asks, too
+    }
     picture.fill(Qt::transparent);
     QPainter painter(&picture);
     drawSvg(painter, QRectF(QPointF(), QSizeF(pixels)), svg);
