@@ -28,6 +28,7 @@ private Q_SLOTS:
     void stepsGoBackAndForth();
     void whatIsDoneHappensAtTheMomentShown();
     void itIsTakenFromThere();
+    void whatIsDoneWhileNothingPlaysIsSeen();
     void clipsAloneAreSeenAgain();
 
 private:
@@ -184,6 +185,19 @@ void TestTimeSlider::itIsTakenFromThere()
     QVERIFY(std::abs(shownX() - there) < 0.1F);
     auto* status = m_window->findChild<app::StatusPanel*>();
     QVERIFY(status->currentMessage().contains(QStringLiteral("played anew")));
+}
+
+void TestTimeSlider::whatIsDoneWhileNothingPlaysIsSeen()
+{
+    play();
+    const double live = session().liveSeconds();
+    const float there = shownX();
+    crowd::testing::moveEverybody(document(), -30.0F);
+    QTRY_VERIFY_WITH_TIMEOUT(shownX() < there - 20.0F, crowd::testing::kPatienceMs);
+    QVERIFY(transport().seconds() >= live && transport().seconds() <= live + 0.5);
+    document().undoStack().undo();
+    QTRY_VERIFY_WITH_TIMEOUT(shownX() > -1.0F, crowd::testing::kPatienceMs);
+    QVERIFY(!transport().isPlaying());
 }
 
 /// Where nobody goes anywhere there is no run; the clock is the same.

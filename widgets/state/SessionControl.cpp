@@ -25,6 +25,7 @@ namespace {
 
 constexpr double kAheadSeconds = 0.1;  ///< at speed 1: edits and events are heard so much later
 constexpr double kFurthestAhead = 4.0; ///< however long a picture takes
+constexpr double kLongestSkip = 0.25;  ///< by which time may go on at an edit
 constexpr double kNoEnd = 1e300;       ///< seconds
 constexpr int kProgressMs = 150;
 constexpr int kWaysMs = 300; ///< a place that is being dragged comes to rest first
@@ -145,7 +146,21 @@ void SessionControl::invalidate(const model::SceneChange& change)
     if (isOneOf<model::TimelineChanged>(change)) {
         invalidateTimeline();
     } else if (changesMotion(change)) {
+        goToEdit();
+    }
+}
+
+/// The session is a little ahead of what is shown: while nothing plays, nobody would see an edit.
+void SessionControl::goToEdit()
+{
+    const double ahead = m_player->available() - m_transport.seconds();
+    const bool isSeen = m_transport.isPlaying() || ahead <= 0.0;
+    if (m_transport.seconds() < m_liveSeconds || (!isSeen && ahead > kLongestSkip)) {
+        m_liveSeconds = std::max(m_liveSeconds, m_player->available());
         takeFromHere();
+    } else if (!isSeen) {
+        m_transport.setSeconds(m_player->available());
+        m_liveSeconds = m_transport.seconds();
     }
 }
 

@@ -135,6 +135,7 @@ private:
     void followScene(const model::SceneChange& change);
     void invalidate(const model::SceneChange& change);
     void invalidateTimeline();
+    void goToEdit();
     void forgetPlayed();
     void changeOver(const model::ChangeOver& change);
     void hand();
