@@ -82,9 +82,10 @@ std::unique_ptr<Session> RunJournal::begin() const
 
 void RunJournal::tell(Session& session) const
 {
-    const auto told = std::ranges::equal_range(m_entries, session.steps(), {}, &Entry::step);
-    for (const Entry& entry : told) {
-        entry.act(session);
+    const std::uint64_t step = session.steps();
+    auto entry = std::ranges::lower_bound(m_entries, step, {}, &Entry::step);
+    for (; entry != m_entries.end() && entry->step == step; ++entry) {
+        entry->act(session);
     }
 }
 

@@ -14,8 +14,8 @@ constexpr std::uint64_t kStepsSaid = 30; ///< of a take: then its share is shown
 } // namespace
 
 SessionPlayer::Run::Run(const model::Scene& scene, double seconds,
-                        std::shared_ptr<const WalkSurface> surface)
-    : journal(std::make_unique<RunJournal>(scene, seconds, std::move(surface))),
+                        std::shared_ptr<const WalkSurface> ground)
+    : journal(std::make_unique<RunJournal>(scene, seconds, std::move(ground))),
       startSeconds(seconds), wanted(seconds)
 {
     session = journal->begin();

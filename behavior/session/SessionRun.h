@@ -72,7 +72,7 @@ struct SessionPlayer::Run
 
     std::jthread thread; ///< last: ends first
 
-    Run(const model::Scene& scene, double seconds, std::shared_ptr<const WalkSurface> surface);
+    Run(const model::Scene& scene, double seconds, std::shared_ptr<const WalkSurface> ground);
     void serve();
     void act(RunJournal::Act act, const model::Scene* scene = nullptr);
     void walkOn(std::shared_ptr<const WalkSurface> ground);
