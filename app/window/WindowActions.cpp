@@ -423,12 +423,12 @@ constexpr const char* kViewMenu[] = {
     "paths",           "walkable",  "tags",       "relations",  "ground-grid",   "shadows",
     "look-lit",        "@looks",    "",           "full-screen"};
 constexpr const char* kPlayMenu[] = {
-    "play",      "step",    "step-back",       "catch-up",     "stop",
-    "",          "faster",  "slower",          "@step-length", "",
-    "keep-pose", "",        "timeline-record", "mark-add",     "mark-back",
-    "mark-next", "",        "range-begin",     "range-end",    "range-all",
-    "play-loop", "",        "range-first",     "range-last",   "",
-    "rules",     "timeline"};
+    "play",      "step",      "step-back", "catch-up",        "take-from-here",
+    "stop",      "",          "faster",    "slower",          "@step-length",
+    "",          "keep-pose", "",          "timeline-record", "mark-add",
+    "mark-back", "mark-next", "",          "range-begin",     "range-end",
+    "range-all", "play-loop", "",          "range-first",     "range-last",
+    "",          "rules",     "timeline"};
 constexpr const char* kScriptMenu[] = {"console", "",           "script-record",
                                        "",        "script-run", "script-cancel"};
 constexpr const char* kWindowMenu[] = {"@docks", "", "hide-panels", "reset-layout"};
