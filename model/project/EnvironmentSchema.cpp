@@ -125,7 +125,7 @@ json fieldJson(const FieldInfo& field, const json& defaults)
     }
     const bool isNumber = described["type"] == "int" || described["type"] == "float";
     const bool isOfOwnRange = isNumber && (refers.empty() || meta.role == FieldRole::Tag);
-    if (isOfOwnRange || described["type"] == "ids") {
+    if (isOfOwnRange || described["type"] == "ids" || described["type"] == "numbers") {
         described["low"] = meta.low;
         described["high"] = meta.high;
     }
