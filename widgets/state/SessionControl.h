@@ -63,7 +63,7 @@ public:
     [[nodiscard]] double takenShare() const;
     /// The earliest time that can be shown again.
     [[nodiscard]] double firstSeconds() const;
-    /// The latest that has been shown; what is sent to people happens then.
+    /// The latest that has been shown since the run was taken from an earlier time, if it was.
     [[nodiscard]] double liveSeconds() const;
     /// Back to the scene, at the start of time, paused.
     void stop();
