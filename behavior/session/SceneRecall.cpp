@@ -15,12 +15,42 @@ namespace {
 
 namespace recalledKeys = model::columns;
 
+/// Where the scene has them, wherever the run has led them meanwhile.
+void placeAnew(SessionParts& parts, const model::ChangeOver& change)
+{
+    const model::Population& people = parts.population;
+    MotionState& motion = parts.agents.motion;
+    const bool isPlace = change.columns.contains(model::ColumnId::Position);
+    for (const model::IndividualId id : change.ids) {
+        const std::size_t row = people.rowOf(id);
+        if (row == model::Population::npos) {
+            continue;
+        }
+        const auto agent = static_cast<std::uint32_t>(row);
+        if (isPlace) {
+            motion.put(agent, people.column(recalledKeys::position)[row]);
+            motion.speed[agent] = 0.0F;
+        }
+        if (change.columns.contains(model::ColumnId::Heading)) {
+            motion.heading[agent] = people.column(recalledKeys::heading)[row];
+        }
+        if (change.columns.contains(model::ColumnId::Seat) &&
+            parts.agents.seatPhase[agent] != SeatPhase::None) {
+            parts.seating.setSeat(agent, people.column(recalledKeys::seat)[row], false);
+        }
+    }
+    if (isPlace) {
+        parts.resetBodies(people);
+    }
+}
+
 /// `changed`: whom rules hear of. Whoever has it of a rule is free for others when its line is
 /// done.
 void changeOver(SessionParts& parts, const model::ChangeOver& change,
                 const model::Population& shown, std::span<const model::IndividualId> changed,
                 bool isOfRule)
 {
+    placeAnew(parts, change);
     forgetRuleValues(parts, change.ids, change.columns);
     parts.fades.forget(change);
     const model::CrowdFrame after = captureFrame(parts);

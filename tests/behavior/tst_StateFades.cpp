@@ -54,6 +54,7 @@ private Q_SLOTS:
     void rulesCountNoMore();
     void anotherTemplateComesHalfWay();
     void whoWalksGoesOn();
+    void whoWasLedAwayIsBack();
     void isKeptWithThePose();
     void whatDoesNotFitIsSaid();
     void nobodyAndNoState();
@@ -329,6 +330,37 @@ void TestStateFades::whoWalksGoesOn()
     const float before = placeOf(session, 0).z;
     run(session, kStepsPerSecond);
     QVERIFY(placeOf(session, 0).z > before + 0.5F);
+}
+
+/// What the run has done to a place is no edit of the scene, which has it as the state does.
+void TestStateFades::whoWasLedAwayIsBack()
+{
+    Scene scene = rowOf(3);
+    addLine(scene, 2);
+    letWalk(scene, 1);
+    ColumnSet places;
+    places.insert(ColumnId::Position);
+    places.insert(ColumnId::Heading);
+    places.insert(ColumnId::Path);
+    Scene standing = scene;
+    putAll(standing, columns::path, PathId{0});
+    State here = keepState(standing, "here", places, standing.population.ids());
+    here.id = 1;
+    scene.states = {here};
+    Session session(scene);
+    run(session, 2 * kStepsPerSecond);
+    const glm::vec3 begun = scene.population.column(columns::position)[0];
+    QVERIFY(glm::distance(placeOf(session, 0), begun) > 0.5F);
+    ChangeOver change = changeOver(scene, 0.0F);
+    (void)session.recall(change);
+    run(session, 2);
+    const auto shown = session.frame();
+    for (std::size_t row = 0; row < 3; ++row) {
+        const glm::vec3 kept = scene.population.column(columns::position)[row];
+        QVERIFY(glm::distance(placeOf(session, row), kept) < 0.1F);
+        QCOMPARE(shown->population.column(columns::heading)[row],
+                 scene.population.column(columns::heading)[row]);
+    }
 }
 
 void TestStateFades::isKeptWithThePose()
