@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include <QtGui/QCursor>
 #include <QtGui/QImage>
 #include <QtGui/QPointingDevice>
+#include <QtGui/QScreen>
 #include <QtGui/QTabletEvent>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
@@ -51,6 +53,7 @@ private Q_SLOTS:
     void drawsTheScene();
     void drawsNothingWhileNothingChanges();
     void aPictureAtRestRipens();
+    void aPictureOfAnotherSizeRipensAnew();
     void drawsWhilePlayingAndStops();
     void paintsAndTakesBack();
     void quickClicksAllPaint();
@@ -114,6 +117,36 @@ void TestViewportWindow::aPictureAtRestRipens()
     studio.state.transport().setPlaying(false);
     studio.setQuality(PictureQuality::Best);
     QTRY_COMPARE(studio.view->ripeness(), 16);
+}
+
+/// A panel that opens while one ripens, and closes while the next does.
+void TestViewportWindow::aPictureOfAnotherSizeRipensAnew()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    testing::addPeople(studio.document, 2);
+    studio.setQuality(PictureQuality::Automatic);
+    QTRY_COMPARE(studio.view->ripeness(), 8);
+    // As it is on the screen: what is asked for it would draw it anew.
+    const auto shown = [&studio] {
+        return studio.view->screen()->grabWindow(studio.view->window()->winId()).toImage();
+    };
+    QImage ripe;
+    const auto isStill = [&shown, &ripe] {
+        const QImage before = std::exchange(ripe, shown());
+        return before == ripe;
+    };
+    QTRY_VERIFY(isStill());
+    const QSize large = studio.view->size();
+    for (int round = 0; round < 3; ++round) {
+        for (const QSize& size : {large - QSize(0, 100), large}) {
+            studio.view->setFixedSize(size);
+            QTRY_COMPARE(studio.view->size(), size);
+            QTRY_VERIFY(studio.view->ripeness() > 1); // and is not done
+        }
+    }
+    QTRY_COMPARE(studio.view->ripeness(), 8);
+    QTRY_VERIFY(shown() == ripe);
 }
 
 void TestViewportWindow::drawsWhilePlayingAndStops()

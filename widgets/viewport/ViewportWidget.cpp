@@ -546,11 +546,14 @@ void ViewportWidget::renewTexts()
 
 void ViewportWidget::resizeEvent(QResizeEvent* event)
 {
+    // The base paints at once: first, what it is to show, and nothing over pictures of another
+    // view.
+    m_state.setViewSize(glm::vec2(std::max(1, width()), std::max(1, height())));
+    renew();
     QOpenGLWidget::resizeEvent(event);
     m_overlay->setGeometry(rect());
     m_work->place();
     m_properties->place();
-    m_state.setViewSize(glm::vec2(std::max(1, width()), std::max(1, height())));
     refreshPlaces();
 }
 
