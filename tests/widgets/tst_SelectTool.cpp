@@ -22,6 +22,7 @@ private Q_SLOTS:
     void withShiftARectangleBeginsOnSomebodyToo();
     void escapeKeepsTheSelectionOfBefore();
     void selectionForgetsWhoVanishes();
+    void whoIsBackIsSelectedAgain();
     void deleteRemovesTheSelectedInOneStep();
     void draggingSomebodyMovesThemInOneStep();
 };
@@ -176,6 +177,36 @@ void TestSelectTool::selectionForgetsWhoVanishes()
     QCOMPARE(hand.state.selection().size(), std::size_t{1});
     hand.document.replaceScene(testing::smallTheatre(), {});
     QVERIFY(hand.state.selection().isEmpty());
+}
+
+void TestSelectTool::whoIsBackIsSelectedAgain()
+{
+    Hand hand;
+    const auto ids = testing::addPeople(hand.document, 5);
+    const std::vector<model::IndividualId> two{ids[0], ids[3]};
+    const auto selected = [&hand] {
+        const auto now = hand.state.selection().ids();
+        return std::vector<model::IndividualId>(now.begin(), now.end());
+    };
+    hand.state.selection().set(two);
+    QVERIFY(hand.key(Qt::Key_Delete));
+    QVERIFY(selected().empty());
+    hand.document.undoStack().undo();
+    QCOMPARE(selected(), two);
+    hand.document.undoStack().redo();
+    hand.document.undoStack().undo();
+    QCOMPARE(selected(), two);
+    // Who has chosen somebody else since then means him.
+    hand.document.undoStack().redo();
+    hand.state.selection().set(std::vector{ids[1]});
+    hand.document.undoStack().undo();
+    QCOMPARE(selected(), (std::vector<model::IndividualId>{ids[1]}));
+    // A new one who has the id of one whose creation was undone is somebody else.
+    hand.state.selection().set(std::vector{ids[4]});
+    hand.document.undoStack().undo();
+    QVERIFY(selected().empty());
+    QCOMPARE(testing::addPeople(hand.document, 5).back(), ids[4]);
+    QVERIFY(selected().empty());
 }
 
 void TestSelectTool::deleteRemovesTheSelectedInOneStep()

@@ -28,6 +28,28 @@ Selection::Selection(model::SceneDocument& document, QObject* parent)
     : QObject(parent), m_document(document)
 {
     connect(&document, &model::SceneDocument::changed, this, &Selection::follow);
+    connect(&document, &model::SceneDocument::stepTaken, this, [this] {
+        const Ids back = takeBack();
+        Ids all;
+        std::set_union(m_ids.begin(), m_ids.end(), back.begin(), back.end(),
+                       std::back_inserter(all));
+        replace(std::move(all));
+    });
+    // Whoever is new may have got the id of somebody whose creation was undone.
+    connect(&document, &model::SceneDocument::stepCommitted, this, [this] { (void)takeBack(); });
+}
+
+Ids Selection::takeBack()
+{
+    const std::span<const IndividualId> present = m_document.scene().population.ids();
+    Ids back;
+    std::set_intersection(m_gone.begin(), m_gone.end(), present.begin(), present.end(),
+                          std::back_inserter(back));
+    Ids rest;
+    std::set_difference(m_gone.begin(), m_gone.end(), back.begin(), back.end(),
+                        std::back_inserter(rest));
+    m_gone = std::move(rest);
+    return back;
 }
 
 bool Selection::contains(IndividualId id) const
@@ -37,6 +59,7 @@ bool Selection::contains(IndividualId id) const
 
 void Selection::apply(std::span<const IndividualId> ids, SelectionMode mode)
 {
+    m_gone.clear();
     const Ids sorted = sortedUnique(ids);
     const std::span<const IndividualId> present = m_document.scene().population.ids();
     Ids known;
@@ -61,6 +84,7 @@ void Selection::apply(std::span<const IndividualId> ids, SelectionMode mode)
 
 void Selection::selectAll()
 {
+    m_gone.clear();
     const std::span<const IndividualId> present = m_document.scene().population.ids();
     replace(Ids(present.begin(), present.end()));
 }
@@ -88,7 +112,11 @@ void Selection::replace(Ids ids)
 void Selection::follow(const model::SceneChange& change)
 {
     visitChange(
-        change, [this](const model::SceneReplaced&) { replace({}); },
+        change,
+        [this](const model::SceneReplaced&) {
+            m_gone.clear();
+            replace({});
+        },
         [this](const model::GroupsChanged&) { replace(m_ids); },
         [this](const model::ColumnsChanged& columns) {
             if (columns.columns.contains(model::ColumnId::Group)) {
@@ -99,6 +127,13 @@ void Selection::follow(const model::SceneChange& change)
             Ids rest;
             std::set_difference(m_ids.begin(), m_ids.end(), removed.ids.begin(), removed.ids.end(),
                                 std::back_inserter(rest));
+            Ids lost;
+            std::set_intersection(m_ids.begin(), m_ids.end(), removed.ids.begin(),
+                                  removed.ids.end(), std::back_inserter(lost));
+            Ids gone;
+            std::set_union(m_gone.begin(), m_gone.end(), lost.begin(), lost.end(),
+                           std::back_inserter(gone));
+            m_gone = std::move(gone);
             replace(std::move(rest));
         });
 }

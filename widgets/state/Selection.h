@@ -14,9 +14,10 @@ namespace crowd::widgets {
 /// How new ids meet those that are selected already.
 enum class SelectionMode : unsigned char { Replace, Add, Toggle };
 
-/// The selected individuals, by id. Follows the document: ids that vanish are dropped, and those
-/// whose group is hidden or locked are never among them. Selecting is not an edit and cannot be
-/// undone. Main thread only; the document outlives it.
+/// The selected individuals, by id. Follows the document: ids that vanish are dropped, and are
+/// selected again when undo brings them back before anybody else is selected; those whose group is
+/// hidden or locked are never among them. Selecting is not an edit and cannot be undone. Main
+/// thread only; the document outlives it.
 class Selection : public QObject
 {
     Q_OBJECT
@@ -43,9 +44,12 @@ private:
     /// Those of them that may be touched.
     void replace(std::vector<model::IndividualId> ids);
     void follow(const model::SceneChange& change);
+    /// Deleted while they were selected, and there again.
+    [[nodiscard]] std::vector<model::IndividualId> takeBack();
 
     model::SceneDocument& m_document;
     std::vector<model::IndividualId> m_ids;
+    std::vector<model::IndividualId> m_gone; ///< ascending
 };
 
 } // namespace crowd::widgets
