@@ -2125,6 +2125,20 @@
             <numerusform>„%1“ ist weg; %n Figuren hatten einen Wert davon</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>“%1” for all, as nobody is selected: %n characters changed</source>
+        <translation>
+            <numerusform>„%1“ für alle, da niemand ausgewählt ist: %n Figur geändert</numerusform>
+            <numerusform>„%1“ für alle, da niemand ausgewählt ist: %n Figuren geändert</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” changed, and %n characters with it</source>
+        <translation>
+            <numerusform>„%1“ geändert, und %n Figur mit ihm</numerusform>
+            <numerusform>„%1“ geändert, und %n Figuren mit ihm</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Features</name>
@@ -9761,6 +9775,13 @@ Verworfen ist sie fort.</translation>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::DockBase</name>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::EnvironmentDock</name>
     <message>
         <source>Environment</source>
@@ -10140,6 +10161,14 @@ Verworfen ist sie fort.</translation>
         <source>Give the chosen value to who is selected, or to all where nobody is</source>
         <translation>Den gewählten Wert allen Ausgewählten geben, oder allen, wo niemand ausgewählt ist</translation>
     </message>
+    <message>
+        <source>Paint the chosen value</source>
+        <translation>Den gewählten Wert malen</translation>
+    </message>
+    <message>
+        <source>Paint It</source>
+        <translation>Malen</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::FieldForm</name>
@@ -10230,6 +10259,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Height</source>
         <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>All get the value that was ticked first.</source>
+        <translation>Alle bekommen den Wert, der zuerst angekreuzt wurde.</translation>
     </message>
 </context>
 <context>
@@ -11086,6 +11119,14 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Paint the chosen relation</source>
+        <translation>Die gewählte Beziehung malen</translation>
+    </message>
+    <message>
+        <source>Paint It</source>
+        <translation>Malen</translation>
     </message>
 </context>
 <context>

@@ -2125,6 +2125,20 @@
             <numerusform>“%1” is gone; %n characters had a value of it</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>“%1” for all, as nobody is selected: %n characters changed</source>
+        <translation>
+            <numerusform>“%1” for all, as nobody is selected: %n character changed</numerusform>
+            <numerusform>“%1” for all, as nobody is selected: %n characters changed</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” changed, and %n characters with it</source>
+        <translation>
+            <numerusform>“%1” changed, and %n character with it</numerusform>
+            <numerusform>“%1” changed, and %n characters with it</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Features</name>
@@ -9754,6 +9768,13 @@ Thrown away, it is gone.</source>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::DockBase</name>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::EnvironmentDock</name>
     <message>
         <source>Environment</source>
@@ -10133,6 +10154,14 @@ Thrown away, it is gone.</source>
         <source>Give the chosen value to who is selected, or to all where nobody is</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Paint the chosen value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint It</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::FieldForm</name>
@@ -10222,6 +10251,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All get the value that was ticked first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11078,6 +11111,14 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint the chosen relation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint It</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

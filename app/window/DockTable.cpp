@@ -26,13 +26,13 @@ constexpr auto kRight = Qt::RightDockWidgetArea;
 constexpr auto kBottom = Qt::BottomDockWidgetArea;
 
 // Groups of tabs, three at the right, so that their names fit the tabs of a small screen. Templates
-// have room for two rows, with tabs, title and weight.
+// have room for two rows, with tabs, title and weight, and states for what is set below their list.
 constexpr std::array<DockInfo, static_cast<std::size_t>(DockId::Count)> kDocks{{
     {DockId::Brushes, &make<widgets::BrushPaletteDock>, kLeft, 165},
     {DockId::BrushSettings, &make<widgets::BrushSettingsDock>, kLeft, 500, 280},
-    {DockId::Templates, &make<widgets::TemplatesDock>, kRight, 320},
+    {DockId::Templates, &make<widgets::TemplatesDock>, kRight, 400},
     {DockId::Colour, &make<widgets::ColourDock>, kRight, 296},
-    {DockId::Individual, &make<widgets::IndividualDock>, kRight, 300},
+    {DockId::Individual, &make<widgets::IndividualDock>, kRight, 270},
     {DockId::Scene, &make<widgets::SceneDock>, kRight, 0, 0, DockId::Templates},
     {DockId::Environment, &make<widgets::EnvironmentDock>, kRight, 0, 0, DockId::Individual},
     // Sentences want room: wide, below the picture.

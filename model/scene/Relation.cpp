@@ -61,6 +61,12 @@ const RelationKind* findRelation(const RelationKinds& kinds, RelationKindId id)
 
 RelationKindId freeRelationId(const RelationKinds& kinds)
 {
+    if (!kinds.empty()) {
+        const RelationKindId last = std::ranges::max(kinds, {}, &RelationKind::id).id;
+        if (last < kMostRelationKinds) {
+            return static_cast<RelationKindId>(last + 1); // a new one comes behind the others
+        }
+    }
     for (std::size_t id = 1; id <= kMostRelationKinds; ++id) {
         if (findRelation(kinds, static_cast<RelationKindId>(id)) == nullptr) {
             return static_cast<RelationKindId>(id);

@@ -59,7 +59,8 @@ using RelationKinds = std::vector<RelationKind>;
 
 [[nodiscard]] const RelationKind* findRelation(const RelationKinds& kinds, std::string_view name);
 [[nodiscard]] const RelationKind* findRelation(const RelationKinds& kinds, RelationKindId id);
-/// The smallest that no kind has; 0: there are as many as there can be.
+/// The one behind the last, else the smallest that no kind has; 0: there are as many as there can
+/// be.
 [[nodiscard]] RelationKindId freeRelationId(const RelationKinds& kinds);
 
 /// As the table keeps it: a mutual one goes from the older to the younger.

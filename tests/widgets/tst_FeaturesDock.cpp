@@ -17,6 +17,7 @@
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QToolButton>
 
+#include "model/brush/FeatureBrush.h"
 #include "model/document/SceneEdit.h"
 #include "model/features/FeatureWriting.h"
 #include "model/project/FeatureFile.h"
@@ -114,6 +115,8 @@ private Q_SLOTS:
     void init();
     void showsKindsAndTheirValues();
     void givesAValueToWhoIsSelected();
+    void theBrushPaintsTheChosenValue();
+    void aKindThatIsBackIsShown();
     void coloursOfAnOutfitAreSeenAndSet();
     void addsDuplicatesRenamesAndRemoves();
     void aKindOfOnesOwn();
@@ -167,8 +170,29 @@ void TestFeaturesDock::givesAValueToWhoIsSelected()
     desk.press(QStringLiteral("giveFeature"));
     QCOMPARE(model::bearersOf(desk.document.scene(), desk.value("happy").id).size(),
              std::size_t{4});
-    desk.press(QStringLiteral("removeFeature"));
+    QVERIFY2(desk.said.contains(QStringLiteral("nobody is selected")), qPrintable(desk.said));
+    desk.list()->setFocus();
+    QTest::keyClick(desk.list(), Qt::Key_Delete);
     QVERIFY2(desk.said.contains(QStringLiteral("4 characters")), qPrintable(desk.said));
+}
+
+void TestFeaturesDock::theBrushPaintsTheChosenValue()
+{
+    FeaturesDesk desk;
+    QVERIFY(desk.isReady());
+    desk.choose("sad");
+    desk.press(QStringLiteral("paintFeature"));
+    QCOMPARE(desk.state.tool(), ToolId::BrushFeature);
+    const auto* painted = &desk.state.activeBrush()->as<model::FeatureSettings>();
+    QCOMPARE(painted->kind, std::string("emotion"));
+    QCOMPARE(painted->values.size(), std::size_t{1});
+    QCOMPARE(painted->values.front().clip, std::string("sad"));
+    desk.kinds()->setCurrentIndex(1);
+    desk.choose("team red");
+    desk.press(QStringLiteral("paintFeature"));
+    QCOMPARE(desk.state.tool(), ToolId::BrushOutfit);
+    QCOMPARE(model::featureSettings(*desk.state.activeBrush())->values.front().clip,
+             std::string("team red"));
 }
 
 void TestFeaturesDock::coloursOfAnOutfitAreSeenAndSet()
@@ -250,6 +274,18 @@ void TestFeaturesDock::aKindOfOnesOwn()
 }
 
 /// Asked first: nothing is made of what is cancelled.
+void TestFeaturesDock::aKindThatIsBackIsShown()
+{
+    FeaturesDesk desk;
+    QVERIFY(desk.isReady());
+    removeKind(desk.state, desk.document.scene().features.front().id);
+    QTRY_COMPARE(desk.kinds()->count(), 1);
+    QCOMPARE(desk.kinds()->currentText(), QStringLiteral("outfit"));
+    desk.document.undoStack().undo();
+    QTRY_COMPARE(desk.kinds()->count(), 2);
+    QCOMPARE(desk.kinds()->currentText(), QStringLiteral("emotion"));
+}
+
 void TestFeaturesDock::aNewKindIsAskedForItsName()
 {
     FeaturesDesk desk;

@@ -9,6 +9,7 @@
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "tests/widgets/Hand.h"
+#include "tests/widgets/SmallTheatre.h"
 #include "widgets/commands/RelationCommands.h"
 #include "widgets/docks/FieldForm.h"
 #include "widgets/docks/RelationsDock.h"
@@ -105,6 +106,7 @@ private Q_SLOTS:
     void theBoxSaysThatTheBrushShowsThem();
     void panelAndBrushSpeakOfTheSameKind();
     void aDragRelatesAndControlTakesAway();
+    void whatTheBrushPaintsIsOfTheScene();
     void aLassoAfterALasso();
     void arcsAreOfTheSelectedOrOfAll();
 };
@@ -169,6 +171,29 @@ void TestRelationsDock::kindsAreMadeNamedAndRemoved()
     desk.document.undoStack().undo();
     QTRY_COMPARE(desk.list()->count(), 6);
     QVERIFY(!desk.table().isEmpty());
+}
+
+void TestRelationsDock::whatTheBrushPaintsIsOfTheScene()
+{
+    RelationsDesk desk;
+    QVERIFY(desk.isReady());
+    const auto painted = [&desk] {
+        return desk.state.brush(model::BrushKind::Relation).as<model::RelationSettings>().relation;
+    };
+    desk.choose("couple");
+    QCOMPARE(painted(), std::string("couple"));
+    desk.press("removeRelation");
+    QTRY_VERIFY(findRelation(desk.document.scene().relationKinds, painted()) != nullptr);
+    const model::RelationKindId made = addRelationKind(desk.state);
+    QCOMPARE(desk.document.scene().relationKinds.back().id, made); // behind the others
+    QTRY_COMPARE(desk.list()->count(), 5);
+    desk.list()->setCurrentRow(4);
+    QTRY_COMPARE(painted(), desk.document.scene().relationKinds.back().name);
+    desk.document.replaceScene(crowd::testing::smallTheatre(), {});
+    QTRY_COMPARE(desk.list()->count(), 5);
+    QTRY_VERIFY(findRelation(desk.document.scene().relationKinds, painted()) != nullptr);
+    desk.press("paintRelation");
+    QCOMPARE(desk.state.tool(), ToolId::BrushRelation);
 }
 
 void TestRelationsDock::theFormChangesAKind()

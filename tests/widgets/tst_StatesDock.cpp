@@ -17,6 +17,7 @@
 #include <QtWidgets/QToolButton>
 
 #include "model/document/SceneEdit.h"
+#include "model/states/StateKeeping.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "widgets/commands/StateCommands.h"
@@ -130,6 +131,7 @@ private Q_SLOTS:
     void whatIsTickedIsHeld();
     void orderedAndRemovedInTheList();
     void keptAnewRemovedAndUndone();
+    void theNameOfANewOneIsSeen();
     void namesThatAreTakenAreRefused();
     void nobodyHasNoState();
     void ofAGroup();
@@ -274,6 +276,24 @@ void TestStatesDock::keptAnewRemovedAndUndone()
     QVERIFY(desk.dock->findChild<QLabel*>(QStringLiteral("statesNote"))->isVisible());
     desk.document.undoStack().undo();
     QTRY_COMPARE(desk.names(), QStringList{QStringLiteral("calm")});
+}
+
+/// However many there are, in a panel of little height.
+void TestStatesDock::theNameOfANewOneIsSeen()
+{
+    StatesDesk desk;
+    QVERIFY(desk.isReady());
+    (void)crowd::testing::addPeople(desk.document, 3);
+    for (const char* name : {"one", "two", "three", "four", "five", "six"}) {
+        const model::ColumnSet columns = model::usualStateColumns();
+        QVERIFY(keepStateAs(desk.state, QLatin1String(name), columns, StateReach::Everybody, 0));
+    }
+    desk.window.resize(desk.window.width(), 260);
+    QTRY_COMPARE(desk.list()->count(), 6);
+    desk.press("keepState");
+    QLineEdit* field = nullptr;
+    QTRY_VERIFY((field = desk.list()->findChild<QLineEdit*>()) != nullptr);
+    QTRY_COMPARE(field->visibleRegion().boundingRect(), field->rect());
 }
 
 void TestStatesDock::namesThatAreTakenAreRefused()
@@ -469,8 +489,9 @@ void TestStatesDock::eachHasAPicture()
     QVERIFY2(colours.size() > 3, "it shows something");
     desk.press("keepStateAnew");
     drawn.clear();
-    QVERIFY(key() != first); // it is another state now
+    QCOMPARE(key(), first); // until that of the state it is now is drawn
     QTRY_VERIFY_WITH_TIMEOUT(!drawn.isEmpty(), 30000);
+    QVERIFY(key() != first);
 }
 
 void TestStatesDock::takesItsTimeWhileItPlays()

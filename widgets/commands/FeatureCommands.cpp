@@ -7,9 +7,11 @@
 #include <QtCore/QCoreApplication>
 
 #include "model/base/Random.h"
+#include "model/brush/FeatureBrush.h"
 #include "model/features/FeatureWriting.h"
 #include "model/project/FeatureFile.h"
 #include "widgets/state/FeatureTexts.h"
+#include "widgets/state/ToolId.h"
 
 namespace crowd::widgets {
 
@@ -137,8 +139,12 @@ void give(EditorState& state, const FeatureKind& kind, FeatureId id, const QStri
         const std::uint64_t seed = model::hashKeys(state.scene().seed, model::hashText("give"));
         changed = setFeature(edit, kind, people, wanted, seed).size();
     });
+    const auto number = static_cast<int>(changed);
     state.showStatus(
-        FeatureText::tr("“%1”: %n characters changed", nullptr, static_cast<int>(changed))
+        (state.selection().isEmpty()
+             ? FeatureText::tr("“%1” for all, as nobody is selected: %n characters changed",
+                               nullptr, number)
+             : FeatureText::tr("“%1”: %n characters changed", nullptr, number))
             .arg(name));
 }
 
@@ -276,7 +282,8 @@ void moveFeature(EditorState& state, FeatureId id, int by)
 
 void changeFeature(EditorState& state, const FeatureValue& value, bool isWorn)
 {
-    editKinds(
+    const auto bearers = static_cast<int>(model::bearersOf(state.scene(), value.id).size());
+    const bool isDone = editKinds(
         state, FeatureText::tr("Change “%1”").arg(featureText(value.name)),
         [&value](FeatureKinds& kinds) {
             for (FeatureKind& kind : kinds) {
@@ -286,6 +293,11 @@ void changeFeature(EditorState& state, const FeatureValue& value, bool isWorn)
             }
         },
         isWorn);
+    if (isDone && isWorn && bearers > 0) {
+        state.showStatus(
+            FeatureText::tr("“%1” changed, and %n characters with it", nullptr, bearers)
+                .arg(featureText(value.name)));
+    }
 }
 
 void giveFeature(EditorState& state, FeatureId id)
@@ -300,6 +312,24 @@ void takeFeatureOff(EditorState& state, std::uint8_t kind)
     if (const FeatureKind* found = findKind(state.scene().features, kind)) {
         give(state, *found, 0, featureText(found->name));
     }
+}
+
+void paintFeature(EditorState& state, FeatureId id)
+{
+    const FeatureKind* kind = kindOf(state.scene().features, id);
+    if (kind == nullptr) {
+        return;
+    }
+    const model::BrushSettings outfits = state.brush(model::BrushKind::Outfit);
+    const bool isOutfit = model::featureSettings(outfits)->kind == kind->name;
+    const auto brushKind = isOutfit ? model::BrushKind::Outfit : model::BrushKind::Feature;
+    model::BrushSettings brush = state.brush(brushKind);
+    model::FeatureSettings& settings = *model::featureSettings(brush);
+    settings.kind = kind->name;
+    settings.values = {{findFeature(state.scene().features, id)->name, 1.0F}};
+    settings.takesOff = false;
+    state.setBrush(brush);
+    state.setTool(toolOf(brushKind));
 }
 
 void selectBearers(EditorState& state, FeatureId id)

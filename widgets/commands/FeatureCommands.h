@@ -32,10 +32,12 @@ bool renameFeature(EditorState& state, model::FeatureId id, const QString& name)
 void moveFeature(EditorState& state, model::FeatureId id, int by);
 /// The value in place of the one of its id. `isWorn`: its bearers change with it.
 void changeFeature(EditorState& state, const model::FeatureValue& value, bool isWorn);
-/// Whoever is selected bears it from now on.
+/// Whoever is selected bears it from now on; all where nobody is.
 void giveFeature(EditorState& state, model::FeatureId id);
 /// Whoever is selected bears none of the kind any more.
 void takeFeatureOff(EditorState& state, std::uint8_t kind);
+/// The brush that paints it is in hand from now on.
+void paintFeature(EditorState& state, model::FeatureId id);
 void selectBearers(EditorState& state, model::FeatureId id);
 
 /// A kind with its values as a file that other scenes take in: Result's error says what is wrong.

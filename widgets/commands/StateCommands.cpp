@@ -50,9 +50,12 @@ void editList(EditorState& state, const QString& text,
     state.document().edit(text, [&](model::SceneEdit& edit) { edit.setStates(std::move(all)); });
 }
 
+/// A long one would push what is said of it out of the status bar.
 QString quoted(const std::string& name)
 {
-    return QString::fromStdString(name);
+    constexpr qsizetype kMostSaid = 40;
+    const QString text = QString::fromStdString(name);
+    return text.size() > kMostSaid ? text.left(kMostSaid) + QChar(0x2026) : text;
 }
 
 void say(EditorState& state, const QString& name, const model::StateRecall& recall)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "model/brush/FeatureBrush.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/state/EditorState.h"
 
@@ -61,6 +62,11 @@ void addOperator(FieldForm& form, const BrushTarget& brush)
     form.addField(commonField("distribution"), {}, [opOf] { return opOf().usesDistribution; });
     form.addNote(fieldText(model::brushType(brush.read().kind()).info.gradientNote),
                  [opOf] { return opOf().followsLine; });
+    form.addNote(FieldForm::tr("All get the value that was ticked first."), [read = brush.read] {
+        const model::FeatureSettings* features = model::featureSettings(read());
+        return features != nullptr && !features->takesOff && features->values.size() > 1 &&
+               read().op == model::BrushOperator::Uniform;
+    });
 }
 
 /// Creation always draws; who draws a distribution wants it used.

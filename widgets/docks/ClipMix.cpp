@@ -49,13 +49,13 @@ ClipMix::ClipMix(const std::vector<std::string>& names, QWidget* parent, const T
     }
 }
 
-void ClipMix::setClips(const std::vector<model::ClipWeight>& clips)
+void ClipMix::setClips(const std::vector<model::ClipWeight>& clips, bool areWeighed)
 {
     for (const Row& row : m_rows) {
         const auto found = std::ranges::find(clips, row.name, &model::ClipWeight::clip);
         const bool isIn = found != clips.end();
         row.tick->setChecked(isIn);
-        row.weight->setVisible(isIn && clips.size() > 1);
+        row.weight->setVisible(isIn && areWeighed && clips.size() > 1);
         row.weight->setValue(isIn ? static_cast<double>(found->weight) * 100.0 : 100.0);
     }
 }

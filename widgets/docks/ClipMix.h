@@ -27,7 +27,8 @@ public:
 
     ClipMix(const std::vector<std::string>& names, QWidget* parent, const Texts& texts = {});
 
-    void setClips(const std::vector<model::ClipWeight>& clips); ///< without signal
+    /// Without signal. `areWeighed`: their weights count.
+    void setClips(const std::vector<model::ClipWeight>& clips, bool areWeighed = true);
 
 Q_SIGNALS:
     /// Weight 0: not ticked any more.

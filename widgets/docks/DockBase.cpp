@@ -6,8 +6,12 @@
 #include <vector>
 
 #include <QtCore/QTimer>
+#include <QtGui/QAction>
+#include <QtGui/QScreen>
 #include <QtWidgets/QAbstractButton>
 #include <QtWidgets/QHeaderView>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QListWidget>
 #include <QtWidgets/QScrollBar>
 
 namespace crowd::widgets {
@@ -15,6 +19,15 @@ namespace crowd::widgets {
 namespace {
 
 constexpr int kFloatShift = 24; ///< logical pixels
+constexpr int kRoomAround = 12;
+constexpr QSize kLeastFloating{280, 400};
+
+/// Where a window is wholly on the screen, its title in any case.
+QPoint onScreen(const QRect& screen, const QRect& window)
+{
+    return {std::max(screen.left(), std::min(window.left(), screen.right() - window.width())),
+            std::max(screen.top(), std::min(window.top(), screen.bottom() - window.height()))};
+}
 
 /// The same widgets of two panels that were made by the same lines; none where they differ.
 template<class Widget>
@@ -57,7 +70,9 @@ DockBase::DockBase(const QString& title, const char* objectName, QWidget* parent
     if (auto* button = findChild<QAbstractButton*>(QStringLiteral("qt_dockwidget_floatbutton"))) {
         connect(button, &QAbstractButton::clicked, this, [this] {
             if (isFloating()) { // where it was it would look as before
-                move(pos() + QPoint(kFloatShift, -kFloatShift));
+                resize(size().expandedTo(kLeastFloating));
+                move(onScreen(screen()->availableGeometry(),
+                              {pos() + QPoint(kFloatShift, -kFloatShift), frameGeometry().size()}));
             }
         });
     }
@@ -97,6 +112,31 @@ void DockBase::setScrolledContent(QWidget* content)
     area->setWidget(content);
     area->setMinimumWidth(content->minimumSizeHint().width() + 18);
     setWidget(area);
+}
+
+void DockBase::removeByKey(QWidget& list, const std::function<void()>& remove)
+{
+    auto* action = new QAction(tr("Remove"), this);
+    action->setShortcut(QKeySequence::Delete);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    connect(action, &QAction::triggered, this, remove);
+    list.addAction(action);
+}
+
+void DockBase::showRenaming(QListWidget& list)
+{
+    list.scrollToItem(list.currentItem());
+    // Once all have their places: the list has grown by the row.
+    QTimer::singleShot(0, &list, [this, &list] {
+        const auto* field = list.viewport()->findChild<QLineEdit*>();
+        auto* area = qobject_cast<QScrollArea*>(widget());
+        if (field != nullptr && area != nullptr) {
+            list.scrollToItem(list.currentItem());
+            const QPoint place = field->mapTo(area->widget(), field->rect().bottomLeft());
+            area->ensureVisible(0, place.y() - field->height(), 0, kRoomAround);
+            area->ensureVisible(0, place.y(), 0, kRoomAround);
+        }
+    });
 }
 
 } // namespace crowd::widgets

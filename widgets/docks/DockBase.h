@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+
 #include <QtWidgets/QDockWidget>
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QTreeWidget>
+
+class QListWidget;
 
 namespace crowd::widgets {
 
@@ -25,6 +29,10 @@ public:
 protected:
     DockBase(const QString& title, const char* objectName, QWidget* parent);
     void setScrolledContent(QWidget* content);
+    /// Scrolls the content so that the field of who renames a row of a list in it is seen.
+    void showRenaming(QListWidget& list);
+    /// The key Delete removes what is chosen in the list that has the focus.
+    void removeByKey(QWidget& list, const std::function<void()>& remove);
 };
 
 } // namespace crowd::widgets

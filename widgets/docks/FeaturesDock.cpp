@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <vector>
 
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
@@ -141,7 +142,9 @@ QWidget* FeaturesDock::valueButtons()
     };
     addButton("copy", tr("Duplicate the chosen value"), "duplicateFeature",
               [this](model::FeatureId id) { duplicate(id); });
-    addButton("to-brush", tr("Give the chosen value to who is selected, or to all where nobody is"),
+    addButton("to-brush", tr("Paint the chosen value"), "paintFeature",
+              [this](model::FeatureId id) { paintFeature(m_state, id); });
+    addButton("give", tr("Give the chosen value to who is selected, or to all where nobody is"),
               "giveFeature", [this](model::FeatureId id) { giveFeature(m_state, id); });
     addButton("select-all", tr("Select who bears the chosen value"), "selectBearers",
               [this](model::FeatureId id) { selectBearers(m_state, id); });
@@ -179,6 +182,7 @@ void FeaturesDock::connectParts()
     connect(this, &QDockWidget::visibilityChanged, this,
             [this](bool isSeen) { isSeen ? m_count.start() : keepChange(); });
     connect(&m_state, &EditorState::toolChanged, this, &FeaturesDock::followBrush);
+    connect(&m_state, &EditorState::brushChanged, this, &FeaturesDock::followBrush);
     connect(m_kinds, &QComboBox::currentIndexChanged, this, [this] {
         if (!m_isFilling) {
             keepChange();
@@ -194,8 +198,16 @@ void FeaturesDock::followBrush()
     const model::FeatureSettings* settings = brush != nullptr ? featureSettings(*brush) : nullptr;
     const model::FeatureKind* kind =
         settings != nullptr ? findKind(m_state.scene().features, settings->kind) : nullptr;
-    if (kind != nullptr) {
-        m_kinds->setCurrentIndex(std::max(0, m_kinds->findData(uint{kind->id})));
+    if (kind == nullptr) {
+        return;
+    }
+    m_kinds->setCurrentIndex(std::max(0, m_kinds->findData(uint{kind->id})));
+    const model::FeatureValue* value =
+        settings->values.size() == 1 ? kind->find(settings->values.front().clip) : nullptr;
+    for (int row = 0; value != nullptr && row < m_values->count(); ++row) {
+        if (m_values->item(row)->data(kIdRole).toUInt() == value->id) {
+            m_values->setCurrentRow(row);
+        }
     }
 }
 
@@ -208,6 +220,10 @@ void FeaturesDock::connectList()
         }
     });
     connect(m_values, &QListWidget::customContextMenuRequested, this, &FeaturesDock::showMenu);
+    removeByKey(*m_values, [this] {
+        keepChange();
+        removeFeature(m_state, chosenId());
+    });
     connect(m_values, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
         if (!m_isFilling) {
             keepChange();
@@ -257,13 +273,22 @@ void FeaturesDock::fill()
         m_rebuild.start(); // not under the hands of who renames
         return;
     }
-    const QVariant before = m_kinds->currentData();
+    QVariant shown = m_kinds->currentData();
+    std::vector<uint> fresh;
+    for (const model::FeatureKind& each : m_state.scene().features) {
+        if (m_kinds->findData(uint{each.id}) < 0) {
+            fresh.push_back(each.id);
+        }
+    }
+    if (m_kinds->count() > 0 && fresh.size() == 1) {
+        shown = fresh.front(); // added, or back again
+    }
     m_isFilling = true;
     m_kinds->clear();
     for (const model::FeatureKind& each : m_state.scene().features) {
         m_kinds->addItem(featureText(each.name), uint{each.id});
     }
-    m_kinds->setCurrentIndex(std::max(0, m_kinds->findData(before)));
+    m_kinds->setCurrentIndex(std::max(0, m_kinds->findData(shown)));
     m_isFilling = false;
     fillValues();
 }
@@ -398,6 +423,7 @@ void FeaturesDock::edit(model::FeatureId id)
         if (m_values->item(row)->data(kIdRole).toUInt() == id) {
             m_values->setCurrentRow(row);
             m_values->editItem(m_values->item(row));
+            showRenaming(*m_values);
         }
     }
 }
@@ -530,7 +556,10 @@ void FeaturesDock::showMenu(const QPoint& position)
 void FeaturesDock::fillMenu(QMenu& menu, model::FeatureId id)
 {
     const int row = m_values->currentRow();
-    menu.addAction(tr("Give to who is selected"), this, [this, id] { giveFeature(m_state, id); });
+    menu.addAction(iconNamed("to-brush"), tr("Paint It"), this,
+                   [this, id] { paintFeature(m_state, id); });
+    menu.addAction(iconNamed("give"), tr("Give to who is selected"), this,
+                   [this, id] { giveFeature(m_state, id); });
     menu.addAction(tr("Select who bears it"), this, [this, id] { selectBearers(m_state, id); });
     menu.addSeparator();
     menu.addAction(tr("Rename"), this, [this, id] { edit(id); });

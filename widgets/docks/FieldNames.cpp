@@ -187,8 +187,16 @@ void addMix(FieldForm& form, const Bound& bound, ClipMix* mix)
         }
         form.setValue(bound, std::move(all));
     });
+    const bool isOfFeatures = bound.field->meta.role == model::FieldRole::Feature;
     form.bind(
-        mix, [&form, mix, bound] { mix->setClips(form.valueOf<Clips>(bound)); }, bound.isShown);
+        mix,
+        [&form, mix, bound, isOfFeatures] {
+            const model::BrushSettings* brush = form.context().brush;
+            const bool areWeighed = !isOfFeatures || brush == nullptr ||
+                                    model::operatorInfo(brush->op).usesDistribution;
+            mix->setClips(form.valueOf<Clips>(bound), areWeighed);
+        },
+        bound.isShown);
 }
 
 bool addNamedControl(FieldForm& form, const Bound& bound)

@@ -109,6 +109,11 @@ QWidget* LightDock::makeButtons()
     layout->addStretch(1);
     m_remove = add("delete", tr("Remove the chosen light"), "removeLight",
                    [this](bool) { removeLight(m_state, m_state.chosenLight()); });
+    removeByKey(*m_list, [this] {
+        if (m_remove->isEnabled()) {
+            removeLight(m_state, m_state.chosenLight());
+        }
+    });
     return row;
 }
 

@@ -19,7 +19,7 @@ QIcon LookPictures::of(const model::LookPreset& look)
     model::LookPreset& known = m_looks[look.id];
     if (known != look) {
         known = look;
-        forget(look.id);
+        redraw(look.id);
     }
     return pictureOf(look.id);
 }

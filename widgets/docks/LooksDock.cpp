@@ -92,6 +92,7 @@ QWidget* LooksDock::makeButtons()
     QToolButton* remove = add("delete", tr("Remove the chosen look"), "removeLook");
     connect(remove, &QToolButton::clicked, this, [this] { removeLook(m_state, shown().id); });
     m_remove = remove;
+    removeByKey(*m_list, [remove] { remove->click(); });
     return row;
 }
 

@@ -70,11 +70,13 @@ QWidget* PresetsDock::buttons()
     add("add", tr("Keep the brush as it is set now"), "keepPreset", &PresetsDock::add);
     add("import", tr("Take presets from files"), "importPresets", &PresetsDock::importFiles);
     layout->addStretch(1);
-    add("delete", tr("Remove the chosen preset"), "removePreset", [this] {
+    const auto remove = [this] {
         if (const QListWidgetItem* item = m_list->currentItem()) {
             say(m_presets.remove(item->data(kIdRole).toString()));
         }
-    });
+    };
+    add("delete", tr("Remove the chosen preset"), "removePreset", remove);
+    removeByKey(*m_list, remove);
     return row;
 }
 

@@ -104,7 +104,9 @@ QWidget* RelationsDock::buttons()
         fill();
         edit(made);
     });
-    addButton(chosenRow, "to-brush", tr("Relate each of the selected to each"), "relateSelected",
+    addButton(chosenRow, "to-brush", tr("Paint the chosen relation"), "paintRelation",
+              [this] { paintChosen(); });
+    addButton(chosenRow, "relate", tr("Relate each of the selected to each"), "relateSelected",
               [this] { relateSelected(m_state, chosenId()); });
     addButton(chosenRow, "remove", tr("Take the relation away from the selected"),
               "unrelateSelected", [this] { unrelateSelected(m_state, chosenId()); });
@@ -164,6 +166,7 @@ void RelationsDock::connectList()
         }
     });
     connect(m_kinds, &QListWidget::customContextMenuRequested, this, &RelationsDock::showMenu);
+    removeByKey(*m_kinds, [this] { removeRelationKind(m_state, chosenId()); });
     connect(m_kinds, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
         if (!m_isFilling) {
             const auto id =
@@ -221,6 +224,9 @@ void RelationsDock::fill()
         m_kinds->setCurrentRow(std::max(rowOfBrush(), 0));
     }
     m_isFilling = false;
+    if (rowOfBrush() < 0) {
+        chooseForBrush(); // what it painted is of another scene, or has gone
+    }
     const int rows = std::min(m_kinds->count(), kRelationRows);
     m_kinds->setFixedHeight(rows * m_kinds->sizeHintForRow(0) + 2 * m_kinds->frameWidth() + 4);
     m_kinds->setVisible(m_kinds->count() > 0);
@@ -260,6 +266,12 @@ void RelationsDock::chooseForBrush()
         brush.as<model::RelationSettings>().relation = kind->name;
         m_state.setBrush(brush);
     }
+}
+
+void RelationsDock::paintChosen()
+{
+    chooseForBrush();
+    m_state.setTool(ToolId::BrushRelation);
 }
 
 void RelationsDock::followBrush()
@@ -321,6 +333,7 @@ void RelationsDock::edit(model::RelationKindId id)
         if (m_kinds->item(row)->data(kRelationIdRole).toUInt() == id) {
             m_kinds->setCurrentRow(row);
             m_kinds->editItem(m_kinds->item(row));
+            showRenaming(*m_kinds);
         }
     }
 }
@@ -332,13 +345,14 @@ void RelationsDock::showMenu(const QPoint& position)
         return;
     }
     QMenu menu(this);
+    menu.addAction(iconNamed("to-brush"), tr("Paint It"), this, &RelationsDock::paintChosen);
     fillMenu(menu, static_cast<model::RelationKindId>(item->data(kRelationIdRole).toUInt()));
     menu.exec(m_kinds->viewport()->mapToGlobal(position));
 }
 
 void RelationsDock::fillMenu(QMenu& menu, model::RelationKindId id)
 {
-    menu.addAction(tr("Relate Each of the Selected to Each"), this,
+    menu.addAction(iconNamed("relate"), tr("Relate Each of the Selected to Each"), this,
                    [this, id] { relateSelected(m_state, id); });
     menu.addAction(tr("Take It Away from the Selected"), this,
                    [this, id] { unrelateSelected(m_state, id); });

@@ -38,6 +38,7 @@ private:
     void count();
     void showKind();
     void chooseForBrush();
+    void paintChosen(); ///< its brush in hand
     void followBrush();
     [[nodiscard]] int rowOfBrush() const;
     void makeForm();

@@ -21,7 +21,7 @@ QIcon StatePictures::of(const model::State& kept)
     std::shared_ptr<const model::StoredRows>& people = m_people[kept.id];
     if (people != kept.people) {
         people = kept.people;
-        forget(kept.id);
+        redraw(kept.id);
     }
     return pictureOf(kept.id);
 }

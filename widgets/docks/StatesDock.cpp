@@ -303,15 +303,11 @@ void StatesDock::connectKeys()
                     moveState(m_state, states[static_cast<std::size_t>(from)].id, place - from);
                 }
             });
-    auto* remove = new QAction(tr("Remove"), this);
-    remove->setShortcut(QKeySequence::Delete);
-    remove->setShortcutContext(Qt::WidgetShortcut);
-    connect(remove, &QAction::triggered, this, [this] {
+    removeByKey(*m_list, [this] {
         if (chosen() != 0) {
             removeState(m_state, chosen());
         }
     });
-    m_list->addAction(remove);
 }
 
 /// Without a state nothing of it is shown in the picture either.
@@ -327,23 +323,20 @@ void StatesDock::fill()
         return;
     }
     const int scrolled = m_list->verticalScrollBar()->value();
+    const auto& states = m_state.scene().states;
     m_isFilling = true;
-    m_list->clear();
-    int number = 0;
-    for (const model::State& each : m_state.scene().states) {
-        ++number;
-        auto* item = new QListWidgetItem(numbered(m_pictures->of(each), number, *m_list),
-                                         QString::fromStdString(each.name), m_list);
-        item->setData(kIdRole, each.id);
-        item->setFlags(item->flags() | Qt::ItemIsEditable);
-        const QString people =
-            tr("%n characters", nullptr, static_cast<int>(each.people->ids.size()));
-        item->setToolTip(
-            number <= kKeyedStates
-                ? tr("%1. Double click or Shift+F%2: recall. F2: rename.").arg(people).arg(number)
-                : tr("%1. Double click: recall. F2: rename.").arg(people));
+    // Those that are there become the new ones: an emptied list would be seen empty.
+    while (m_list->count() > std::ssize(states)) {
+        delete m_list->takeItem(m_list->count() - 1);
+    }
+    for (int row = 0; row < static_cast<int>(states.size()); ++row) {
+        if (row >= m_list->count()) {
+            m_list->addItem(new QListWidgetItem);
+        }
+        const model::State& each = states[static_cast<std::size_t>(row)];
+        showRow(each, row);
         if (each.id == m_state.chosenState()) {
-            m_list->setCurrentItem(item);
+            m_list->setCurrentRow(row);
         }
     }
     if (m_list->currentRow() < 0 && m_list->count() > 0) {
@@ -355,6 +348,21 @@ void StatesDock::fill()
     m_list->setFixedHeight(rows * m_list->sizeHintForRow(0) + kRoomBelow);
     m_list->verticalScrollBar()->setValue(scrolled); // a click finds what it was aimed at
     refreshNotes();
+}
+
+void StatesDock::showRow(const model::State& kept, int row)
+{
+    QListWidgetItem* item = m_list->item(row);
+    const int number = row + 1;
+    item->setIcon(numbered(m_pictures->of(kept), number, *m_list));
+    item->setText(QString::fromStdString(kept.name));
+    item->setData(kIdRole, kept.id);
+    item->setFlags(item->flags() | Qt::ItemIsEditable);
+    const QString people = tr("%n characters", nullptr, static_cast<int>(kept.people->ids.size()));
+    item->setToolTip(
+        number <= kKeyedStates
+            ? tr("%1. Double click or Shift+F%2: recall. F2: rename.").arg(people).arg(number)
+            : tr("%1. Double click: recall. F2: rename.").arg(people));
 }
 
 void StatesDock::refreshNotes()
@@ -428,6 +436,7 @@ void StatesDock::edit(model::StateId id)
         if (m_list->item(row)->data(kIdRole).toUInt() == id) {
             m_list->setCurrentRow(row);
             m_list->editItem(m_list->item(row));
+            showRenaming(*m_list);
             return;
         }
     }

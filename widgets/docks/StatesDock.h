@@ -41,6 +41,7 @@ private:
     void connectParts();
     void connectKeys();
     void fill();
+    void showRow(const model::State& kept, int row);
     void enableRecall();
     void showMenu(const QPoint& position);
     void keep();

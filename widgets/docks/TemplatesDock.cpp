@@ -93,6 +93,11 @@ void TemplatesDock::connectParts()
     });
     connect(m_list, &QListWidget::currentItemChanged, this, &TemplatesDock::refreshMix);
     connect(m_list, &QListWidget::customContextMenuRequested, this, &TemplatesDock::showMenu);
+    removeByKey(*m_list, [this] {
+        if (const QListWidgetItem* item = m_list->currentItem()) {
+            Q_EMIT removeRequested(static_cast<model::TemplateId>(item->data(kIdRole).toUInt()));
+        }
+    });
     connect(m_list, &QListWidget::itemDoubleClicked, this, [this](QListWidgetItem* item) {
         model::BrushSettings brush = m_state.brush(model::BrushKind::Create);
         brush.as<model::CreateSettings>().mix = {

@@ -34,15 +34,19 @@ void ViewPictures::forget()
     m_pictures.clear();
 }
 
-void ViewPictures::forget(std::uint32_t id)
+void ViewPictures::redraw(std::uint32_t id)
 {
-    m_pictures.erase(id);
+    const auto found = m_pictures.find(id);
+    if (found != m_pictures.end()) {
+        found->second.tries = 0;
+        found->second.isDue = true;
+    }
 }
 
 QIcon ViewPictures::pictureOf(std::uint32_t id)
 {
     const Picture& picture = m_pictures[id];
-    if (picture.icon.isNull() && picture.tries < kMostTries) {
+    if (picture.isDue) {
         m_next.start();
     }
     return picture.icon.isNull() ? iconNamed(m_symbol) : picture.icon;
@@ -50,9 +54,8 @@ QIcon ViewPictures::pictureOf(std::uint32_t id)
 
 void ViewPictures::drawNext()
 {
-    const auto next = std::ranges::find_if(m_pictures, [](const auto& each) {
-        return each.second.icon.isNull() && each.second.tries < kMostTries;
-    });
+    const auto next =
+        std::ranges::find_if(m_pictures, [](const auto& each) { return each.second.isDue; });
     if (next == m_pictures.end() || !isSeen() ||
         m_state.scene().population.size() > kMostInPictures) {
         return;
@@ -68,6 +71,7 @@ void ViewPictures::drawNext()
     ++picture.tries;
     if (isComplete || picture.tries == kMostTries) {
         picture.icon = icon;
+        picture.isDue = false;
         Q_EMIT drawn();
     }
 }

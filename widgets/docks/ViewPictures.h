@@ -33,7 +33,8 @@ protected:
     ViewPictures(EditorState& state, const QSize& size, const char* symbol, QObject* parent);
 
     [[nodiscard]] QIcon pictureOf(std::uint32_t id);
-    void forget(std::uint32_t id);
+    /// The picture is drawn anew, and is shown as it is until then.
+    void redraw(std::uint32_t id);
     /// Whether anybody sees them now.
     [[nodiscard]] virtual bool isSeen() const { return true; }
     /// The people of an entry's picture; what else it changes is put into the input, which shows
@@ -47,6 +48,7 @@ private:
     {
         QIcon icon; ///< null: not yet
         int tries = 0;
+        bool isDue = true; ///< to be drawn
     };
     void drawNext();
     /// Null: see frameOf().
