@@ -58,6 +58,7 @@ crowd_add_tests(ROOM model
     tst_ShownText
     tst_StageRays
     tst_States
+    tst_StatesFeaturesRelations
     tst_Timeline
     tst_UndoMemory
     tst_WholeFile
