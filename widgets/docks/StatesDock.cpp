@@ -329,6 +329,7 @@ void StatesDock::fill()
     while (m_list->count() > std::ssize(states)) {
         delete m_list->takeItem(m_list->count() - 1);
     }
+    bool isChosenThere = false;
     for (int row = 0; row < static_cast<int>(states.size()); ++row) {
         if (row >= m_list->count()) {
             m_list->addItem(new QListWidgetItem);
@@ -337,9 +338,10 @@ void StatesDock::fill()
         showRow(each, row);
         if (each.id == m_state.chosenState()) {
             m_list->setCurrentRow(row);
+            isChosenThere = true;
         }
     }
-    if (m_list->currentRow() < 0 && m_list->count() > 0) {
+    if (!isChosenThere && m_list->count() > 0) {
         m_list->setCurrentRow(0);
     }
     m_isFilling = false;
