@@ -69,6 +69,8 @@ void TestEditorAudience::paintRecolourUndoRedoSaveReopen()
             undo.undo();
         }
         QCOMPARE(editor.bytes(), openedBytes);
+        QCOMPARE(editor.state().selection().size(), editor.people()); // again, as they were deleted
+        editor.state().selection().clear();
         QVERIFY(editor.picture() == openedPicture);
         while (undo.canRedo()) {
             undo.redo();
