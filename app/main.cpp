@@ -7,8 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include <malloc.h>
-
 #include <CLI/CLI.hpp>
 
 #include "app/commands/BenchIo.h"
@@ -227,21 +225,11 @@ QStringList toList(const std::vector<std::string>& texts)
     return list;
 }
 
-/// Every frame copies columns of the crowd: what the one before has freed is had again, without
-/// asking the system for it page by page.
-void keepFreedMemory()
-{
-    constexpr int kMegabyte = 1 << 20;
-    (void)mallopt(M_MMAP_THRESHOLD, 32 * kMegabyte);
-    (void)mallopt(M_TRIM_THRESHOLD, 256 * kMegabyte);
-}
-
 } // namespace
 
 /// Dispatches the command line; each command lives in a file of its own.
 int main(int argc, char** argv)
 {
-    keepFreedMemory();
     // A limit on the size of files is a message, and not the end of the program.
     std::signal(SIGXFSZ, SIG_IGN);
     CLI::App cli("Crowdbrush: paint crowds. Without a command the editor opens.", "crowdbrush");

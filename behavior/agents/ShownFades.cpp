@@ -25,39 +25,28 @@ namespace shownKeys = model::columns;
 struct OnTheWay
 {
     const FadeTimes* times = nullptr;
-    bool isEverybody = false;          ///< the whole frame, row by row: without the two lists
     std::vector<std::uint32_t> people; ///< indices in the times
     std::vector<std::uint32_t> rows;   ///< of the frame
     std::vector<float> shares;         ///< 0..1 of what they become
-
-    [[nodiscard]] std::uint32_t person(std::size_t i) const
-    {
-        return isEverybody ? static_cast<std::uint32_t>(i) : people[i];
-    }
-    [[nodiscard]] std::uint32_t row(std::size_t i) const
-    {
-        return isEverybody ? static_cast<std::uint32_t>(i) : rows[i];
-    }
 };
 
 /// Where the frame has the same people, row by row.
 OnTheWay onTheWay(const FadeTimes& times, double seconds)
 {
-    OnTheWay way{&times, true, {}, {}, std::vector<float>(times.ids.size())};
+    OnTheWay way{&times, {}, {}, std::vector<float>(times.ids.size())};
     overRows(way.shares.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             way.shares[i] = times.shareAt(i, seconds);
         }
     });
+    way.people.resize(way.shares.size());
+    std::iota(way.people.begin(), way.people.end(), 0U);
     const auto hasArrived = [](float share) { return share >= 1.0F; };
     if (std::ranges::any_of(way.shares, hasArrived)) {
-        way.isEverybody = false;
-        way.people.resize(way.shares.size());
-        std::iota(way.people.begin(), way.people.end(), 0U);
         std::erase_if(way.people, [&](std::uint32_t i) { return hasArrived(way.shares[i]); });
         std::erase_if(way.shares, hasArrived);
-        way.rows = way.people;
     }
+    way.rows = way.people;
     return way;
 }
 
@@ -66,7 +55,7 @@ OnTheWay onTheWay(const FadeTimes& times, const Population& people, double secon
     if (std::ranges::equal(times.ids, people.ids())) {
         return onTheWay(times, seconds);
     }
-    OnTheWay way{&times, false, {}, {}, {}};
+    OnTheWay way{&times, {}, {}, {}};
     way.people.reserve(times.ids.size());
     way.rows.reserve(times.ids.size());
     way.shares.reserve(times.ids.size());
@@ -122,9 +111,8 @@ private:
     [[nodiscard]] std::span<T> shown(ColumnKey<T> key)
     {
         Population& people = m_frame.population;
-        return m_way->isEverybody || m_way->rows.size() == people.size()
-                   ? people.edit(key)
-                   : people.edit(key, m_way->rows);
+        return m_way->rows.size() == people.size() ? people.edit(key)
+                                                   : people.edit(key, m_way->rows);
     }
     template<class T, class Blend>
     void write(const FadeColumn& column, const Blend& blend);
@@ -165,7 +153,7 @@ const OnTheWay& FadedFrame::wayOf(const FadeTimes& times)
 void FadedFrame::apply(const FadeColumn& column)
 {
     m_way = &wayOf(*column.times);
-    if (m_way->shares.empty()) {
+    if (m_way->rows.empty()) {
         return;
     }
     if (column.column == ColumnId::Clip) {
@@ -182,22 +170,12 @@ template<class T, class Blend>
 void FadedFrame::write(const FadeColumn& column, const Blend& blend)
 {
     const std::span<T> values = shown(ColumnKey<T>{column.column});
-    const std::byte* const bytes = column.bytes.data();
-    const float* const shares = m_way->shares.data();
-    const auto blendOne = [&](std::size_t person, T& to, float share) {
-        T from;
-        std::memcpy(&from, bytes + person * sizeof(T), sizeof(T));
-        to = blend(from, to, share);
-    };
-    overRows(m_way->shares.size(), [&](std::size_t begin, std::size_t end) {
-        if (m_way->isEverybody) { // mostly, and a loop that compilers make several of at once
-            for (std::size_t i = begin; i < end; ++i) {
-                blendOne(i, values[i], shares[i]);
-            }
-            return;
-        }
+    overRows(m_way->rows.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            blendOne(m_way->people[i], values[m_way->rows[i]], shares[i]);
+            T from;
+            std::memcpy(&from, column.bytes.data() + m_way->people[i] * sizeof(T), sizeof(T));
+            T& to = values[m_way->rows[i]];
+            to = blend(from, to, m_way->shares[i]);
         }
     });
 }
@@ -229,22 +207,17 @@ void FadedFrame::writeBetween(const FadeColumn& column)
 void FadedFrame::writeStep(const FadeColumn& column)
 {
     constexpr float kHalf = 0.5F;
-    const std::span<const IndividualId> all = m_frame.population.ids();
-    const auto isBefore = [](float share) { return share < kHalf; };
-    if (m_way->isEverybody && std::ranges::all_of(m_way->shares, isBefore)) {
-        m_frame.population.setValues(column.column, all, column.bytes);
-        return;
-    }
     const std::size_t stride = columnInfo(column.column).stride;
+    const std::span<const IndividualId> all = m_frame.population.ids();
     std::vector<IndividualId> ids;
-    ids.reserve(m_way->shares.size());
-    std::vector<std::byte> values(m_way->shares.size() * stride);
+    ids.reserve(m_way->rows.size());
+    std::vector<std::byte> values(m_way->rows.size() * stride);
     withStride(stride, [&](auto width) {
         std::byte* to = values.data();
-        for (std::size_t i = 0; i < m_way->shares.size(); ++i) {
-            if (isBefore(m_way->shares[i])) {
-                ids.push_back(all[m_way->row(i)]);
-                std::memcpy(to, column.bytes.data() + m_way->person(i) * width, width);
+        for (std::size_t i = 0; i < m_way->rows.size(); ++i) {
+            if (m_way->shares[i] < kHalf) {
+                ids.push_back(all[m_way->rows[i]]);
+                std::memcpy(to, column.bytes.data() + m_way->people[i] * width, width);
                 to += width;
             }
         }
@@ -277,11 +250,11 @@ void FadedFrame::writeClips(const FadeColumn& column)
     const auto templates = std::as_const(m_frame.population).column(shownKeys::templateId);
     findClips();
     constexpr float kNotComing = 2.0F; // no share is
-    std::vector<ClipFade> coming(m_way->shares.size(), {0, 0, 0.0F, kNotComing});
-    overRows(m_way->shares.size(), [&](std::size_t begin, std::size_t end) {
+    std::vector<ClipFade> coming(m_way->rows.size(), {0, 0, 0.0F, kNotComing});
+    overRows(m_way->rows.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const std::uint32_t row = m_way->row(i);
-            const std::uint32_t person = m_way->person(i);
+            const std::uint32_t row = m_way->rows[i];
+            const std::uint32_t person = m_way->people[i];
             if (isBusy(row)) {
                 continue;
             }
@@ -307,8 +280,7 @@ void FadedFrame::writeClips(const FadeColumn& column)
 void FadedFrame::replaceFades(std::vector<ClipFade> coming)
 {
     std::erase_if(m_frame.fades, [this](const ClipFade& fade) {
-        return !isBusy(fade.row) &&
-               (m_way->isEverybody || std::ranges::binary_search(m_way->rows, fade.row));
+        return !isBusy(fade.row) && std::ranges::binary_search(m_way->rows, fade.row);
     });
     if (m_frame.fades.empty()) {
         m_frame.fades = std::move(coming);
