@@ -345,13 +345,13 @@ void RelationsDock::showMenu(const QPoint& position)
         return;
     }
     QMenu menu(this);
-    menu.addAction(iconNamed("to-brush"), tr("Paint It"), this, &RelationsDock::paintChosen);
     fillMenu(menu, static_cast<model::RelationKindId>(item->data(kRelationIdRole).toUInt()));
     menu.exec(m_kinds->viewport()->mapToGlobal(position));
 }
 
 void RelationsDock::fillMenu(QMenu& menu, model::RelationKindId id)
 {
+    menu.addAction(iconNamed("to-brush"), tr("Paint It"), this, &RelationsDock::paintChosen);
     menu.addAction(iconNamed("relate"), tr("Relate Each of the Selected to Each"), this,
                    [this, id] { relateSelected(m_state, id); });
     menu.addAction(tr("Take It Away from the Selected"), this,
