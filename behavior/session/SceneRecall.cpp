@@ -23,8 +23,8 @@ void placeAnew(SessionParts& parts, const model::ChangeOver& change)
     const bool isPlace = change.columns.contains(model::ColumnId::Position);
     for (const model::IndividualId id : change.ids) {
         const std::size_t row = people.rowOf(id);
-        if (row == model::Population::npos) {
-            continue;
+        if (row == model::Population::npos || parts.agents.isGone[row] != 0) {
+            continue; // who has left the scene is out of everybody's way
         }
         const auto agent = static_cast<std::uint32_t>(row);
         if (isPlace) {

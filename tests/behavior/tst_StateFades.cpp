@@ -55,6 +55,7 @@ private Q_SLOTS:
     void anotherTemplateComesHalfWay();
     void whoWalksGoesOn();
     void whoWasLedAwayIsBack();
+    void whoHasLeftStaysAway();
     void isKeptWithThePose();
     void whatDoesNotFitIsSaid();
     void nobodyAndNoState();
@@ -361,6 +362,23 @@ void TestStateFades::whoWasLedAwayIsBack()
         QCOMPARE(shown->population.column(columns::heading)[row],
                  scene.population.column(columns::heading)[row]);
     }
+}
+
+void TestStateFades::whoHasLeftStaysAway()
+{
+    Scene scene = rowOf(2);
+    scene.rules = {onEvent("out", {actions::LeaveScene()})};
+    State here = keepState(scene, "here", columnsOf(PropertyAspect::Place), scene.population.ids());
+    here.id = 1;
+    scene.states = {here};
+    Session session(scene);
+    session.send("out", 0.0F, {2});
+    run(session, kStepsPerSecond);
+    const float away = placeOf(session, 1).y;
+    QVERIFY(away < -1000.0F);
+    (void)session.recall(changeOver(scene, 0.0F));
+    run(session, 2);
+    QCOMPARE(placeOf(session, 1).y, away);
 }
 
 void TestStateFades::isKeptWithThePose()
