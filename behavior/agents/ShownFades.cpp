@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cstddef>
 #include <cstring>
 #include <deque>
 #include <iterator>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 
 #include "behavior/agents/StateFades.h"
@@ -80,18 +85,20 @@ OnTheWay onTheWay(const FadeTimes& times, const Population& people, double secon
 
 Tint between(const Tint& from, const Tint& to, float share)
 {
-    // Two channels at once, 32 bits each: a crowd has a million of them.
-    constexpr std::uint64_t kWhole = 1U << 16U;
-    constexpr std::uint64_t kRound = kWhole / 2U << 32U | kWhole / 2U;
-    const auto weight = static_cast<std::uint64_t>(share * static_cast<float>(kWhole));
-    const auto pair = [](std::uint8_t low, std::uint64_t high) { return high << 32U | low; };
-    const auto mix = [weight](std::uint64_t one, std::uint64_t other) {
-        return (one * (kWhole - weight) + other * weight + kRound) / kWhole;
+    // All four channels at once, 16 bits each: a crowd has a million of them. A channel has as many
+    // steps as the weight.
+    constexpr std::uint64_t kWhole = 1U << 8U;
+    constexpr std::uint64_t kChannels = 0x00FF00FF00FF00FFU;
+    constexpr std::uint64_t kRound = 0x0080008000800080U;
+    const auto weight =
+        static_cast<std::uint64_t>(static_cast<std::int32_t>(share * static_cast<float>(kWhole)));
+    const auto apart = [](const Tint& tint) {
+        const auto bytes = std::uint64_t{std::bit_cast<std::uint32_t>(tint)};
+        return (bytes | bytes << 24U) & kChannels; // 0, 2 and, above them, 1, 3
     };
-    const std::uint64_t first = mix(pair(from.red, from.green), pair(to.red, to.green));
-    const std::uint64_t last = mix(pair(from.blue, from.strength), pair(to.blue, to.strength));
-    return {static_cast<std::uint8_t>(first), static_cast<std::uint8_t>(first >> 32U),
-            static_cast<std::uint8_t>(last), static_cast<std::uint8_t>(last >> 32U)};
+    const std::uint64_t mixed =
+        (apart(from) * (kWhole - weight) + apart(to) * weight + kRound) >> 8U & kChannels;
+    return std::bit_cast<Tint>(static_cast<std::uint32_t>(mixed | mixed >> 24U));
 }
 
 /// The picture at one moment.
@@ -207,25 +214,19 @@ void FadedFrame::writeBetween(const FadeColumn& column)
 void FadedFrame::writeStep(const FadeColumn& column)
 {
     constexpr float kHalf = 0.5F;
-    const std::size_t stride = columnInfo(column.column).stride;
-    const std::span<const IndividualId> all = m_frame.population.ids();
-    std::vector<IndividualId> ids;
-    ids.reserve(m_way->rows.size());
-    std::vector<std::byte> values(m_way->rows.size() * stride);
-    withStride(stride, [&](auto width) {
-        std::byte* to = values.data();
-        for (std::size_t i = 0; i < m_way->rows.size(); ++i) {
-            if (m_way->shares[i] < kHalf) {
-                ids.push_back(all[m_way->rows[i]]);
-                std::memcpy(to, column.bytes.data() + m_way->people[i] * width, width);
-                to += width;
-            }
+    if (std::ranges::none_of(m_way->shares, [](float share) { return share < kHalf; })) {
+        return;
+    }
+    withStride(columnInfo(column.column).stride, [&](auto width) {
+        if constexpr (!std::is_same_v<decltype(width), std::size_t>) {
+            using Value = std::array<std::byte, decltype(width)::value>;
+            write<Value>(column, [](const Value& from, const Value& to, float share) {
+                return share < kHalf ? from : to;
+            });
+        } else {
+            assert(!"a column of a width that withStride() does not know");
         }
     });
-    values.resize(ids.size() * stride);
-    if (!ids.empty()) {
-        m_frame.population.setValues(column.column, ids, values);
-    }
 }
 
 void FadedFrame::findClips()
