@@ -114,6 +114,7 @@ private Q_SLOTS:
     void itGoesFromMarkToMark();
     void timesAreShownInFrames();
     void theWheelZooms();
+    void noPageIsTurnedUnderTheHand();
     void aRangeIsPlayedOverAndOver();
     void playPausesAtTheEndOfTheRange();
     void aRunThatBeginsAfterTheRangePlaysOn();
@@ -371,6 +372,42 @@ void TestTimelineDock::theWheelZooms()
     QVERIFY(desk.view().placeOf(0.0).x() < at.x() - 50);
     QTest::mouseClick(desk.button("timelineAll"), Qt::LeftButton);
     QCOMPARE(desk.view().placeOf(0.0).x(), at.x());
+}
+
+void TestTimelineDock::noPageIsTurnedUnderTheHand()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    TimelineView& view = desk.view();
+    const QPoint begin = view.placeOf(0.0);
+    QWheelEvent closer(begin, view.mapToGlobal(begin), {}, {0, 6000}, Qt::NoButton, {},
+                       Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&view, &closer);
+    QVERIFY(view.placeOf(2.0).x() > view.width());
+
+    Transport& transport = desk.state.transport();
+    const auto playTo = [&](double seconds) {
+        transport.setPlaying(true);
+        return QTest::qWaitFor(
+            [&] {
+                const QPoint at(view.width() / 2, 3 + static_cast<int>(transport.seconds()));
+                QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton,
+                                 Qt::NoButton, {});
+                QCoreApplication::sendEvent(&view, &move);
+                desk.state.session().advance(0.02);
+                return transport.seconds() >= seconds;
+            },
+            kTimelinePatienceMs);
+    };
+    QVERIFY(playTo(2.0));
+    QCOMPARE(view.placeOf(0.0), begin);
+
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&view, &leave);
+    desk.playTo(2.2);
+    const int now = view.placeOf(transport.seconds()).x();
+    QVERIFY(now >= begin.x() && now < view.width());
+    QVERIFY(view.placeOf(0.0).x() < begin.x());
 }
 
 void TestTimelineDock::aRangeIsPlayedOverAndOver()

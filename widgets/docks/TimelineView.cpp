@@ -29,6 +29,7 @@ constexpr double kPan = 60.0; ///< pixels a notch
 constexpr int kNear = 2;      ///< pixels beside a mark or a tick that still mean it
 constexpr int kHandle = 9;    ///< pixels: width of a handle of the play range
 constexpr int kHandleTop = 8; ///< from the top of the ruler
+constexpr int kAimMs = 1500;  ///< from a movement of the mouse to a click
 constexpr int kNames = TimelineLayout::kNames;
 constexpr int kRuler = TimelineLayout::kRuler;
 
@@ -87,10 +88,16 @@ void TimelineView::followTime(double seconds)
     if (!isVisible()) {
         return;
     }
-    if (m_state.transport().isPlaying()) {
+    if (m_state.transport().isPlaying() && !isAimedAt()) {
         m_scale.reveal(seconds, width() - kNames);
     }
     update();
+}
+
+bool TimelineView::isAimedAt() const
+{
+    const bool isHeld = m_drag || m_rangeDrag || m_scrub.isHeld();
+    return isHeld || (m_sinceAimed.isValid() && !m_sinceAimed.hasExpired(kAimMs));
 }
 
 void TimelineView::choose(MarkIds marks)
@@ -242,6 +249,7 @@ void TimelineView::beginDrag(const Mark& mark, const QMouseEvent& event)
 
 void TimelineView::mouseMoveEvent(QMouseEvent* event)
 {
+    m_sinceAimed.start();
     const QPoint at = event->position().toPoint();
     if (m_rangeDrag) {
         m_rangeDrag->moving = m_scale.caught(m_scale.seconds(at.x() - kNames));
@@ -261,6 +269,12 @@ void TimelineView::mouseMoveEvent(QMouseEvent* event)
     } else {
         hover(at);
     }
+}
+
+void TimelineView::leaveEvent(QEvent* event)
+{
+    m_sinceAimed.invalidate();
+    QWidget::leaveEvent(event);
 }
 
 void TimelineView::hover(const QPoint& at)

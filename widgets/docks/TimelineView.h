@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include <QtCore/QElapsedTimer>
 #include <QtWidgets/QWidget>
 
 #include "widgets/commands/TimelineCommands.h"
@@ -55,6 +56,7 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
@@ -81,6 +83,8 @@ private:
     void followScene();
     void fitAtFirst();
     void followTime(double seconds);
+    /// Somebody is about to click, or drags: what is shown stays where it is.
+    [[nodiscard]] bool isAimedAt() const;
     void beginDrag(const model::Mark& mark, const QMouseEvent& event);
     void endDrag();
     [[nodiscard]] double earliestChosen() const;
@@ -97,7 +101,8 @@ private:
     std::optional<RangeDrag> m_rangeDrag;
     Scrub m_scrub;
     SelectedFirings m_fired;
-    bool m_isToFit = true; ///< all of it, once the widget has its size
+    QElapsedTimer m_sinceAimed; ///< the mouse has moved over it; invalid: it is elsewhere
+    bool m_isToFit = true;      ///< all of it, once the widget has its size
 };
 
 } // namespace crowd::widgets
