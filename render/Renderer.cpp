@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include <epoxy/gl.h>
 #include <glm/gtc/constants.hpp>
@@ -116,6 +117,7 @@ struct Renderer::Private
     RenderStatistics statistics;
 
     [[nodiscard]] model::Result<void> draw(const RenderInput& input, const std::uint32_t* target);
+    [[nodiscard]] PassContext contextOf(const RenderInput& input, Style style);
 };
 
 Renderer::Renderer() : m_private(std::make_unique<Private>()) {}
@@ -173,15 +175,20 @@ void Renderer::releaseUnused()
     }
 }
 
-model::Result<void> Renderer::Private::draw(const RenderInput& input, const std::uint32_t* target)
+PassContext Renderer::Private::contextOf(const RenderInput& input, Style style)
 {
-    const auto start = std::chrono::steady_clock::now();
     statistics = {};
     const glm::ivec2 size =
         input.pixelSize.x > 0 ? input.pixelSize : glm::ivec2(input.view.size() + 0.5F);
-    const PassContext context{
-        input, shiftedViewProjection(input, size), Style::of(input), size, isSoftware, statistics};
-    if (auto begun = passes->target.begin(size, input.samples); !begun) {
+    return {input,     shiftedViewProjection(input, size), std::move(style), size, isSoftware,
+            statistics};
+}
+
+model::Result<void> Renderer::Private::draw(const RenderInput& input, const std::uint32_t* target)
+{
+    const auto start = std::chrono::steady_clock::now();
+    const PassContext context = contextOf(input, Style::of(input));
+    if (auto begun = passes->target.begin(context.pixelSize, input.samples); !begun) {
         return begun;
     }
     beginState(input.isTransparent);
@@ -204,6 +211,16 @@ model::Result<void> Renderer::draw(const RenderInput& input, std::uint32_t frame
 model::Result<void> Renderer::draw(const RenderInput& input)
 {
     return m_private->draw(input, nullptr);
+}
+
+model::Result<AovPicture> Renderer::drawAovs(const RenderInput& input)
+{
+    const PassContext context = m_private->contextOf(input, Style::ofAovs(input));
+    beginState(false);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    auto drawn = m_private->passes->drawAovs(context);
+    endState();
+    return drawn;
 }
 
 std::vector<std::uint8_t> Renderer::readPixels() const

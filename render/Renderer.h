@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/base/Result.h"
+#include "render/AovPicture.h"
 #include "render/RenderInput.h"
 
 namespace crowd::render {
@@ -44,6 +45,10 @@ public:
     /// The last picture: RGBA8, sRGB, rows from the top, size() wide and high.
     [[nodiscard]] std::vector<std::uint8_t> readPixels() const;
     [[nodiscard]] glm::ivec2 size() const;
+
+    /// What the picture of this input shows, besides its colours: the same people at the same
+    /// levels, without anything that is drawn over them. What was drawn last stays in readPixels().
+    [[nodiscard]] model::Result<AovPicture> drawAovs(const RenderInput& input);
 
     [[nodiscard]] const RenderStatistics& statistics() const;
 

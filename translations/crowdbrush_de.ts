@@ -5637,6 +5637,14 @@
         <source>At %1 seconds the timeline sends an event without a name. Choose one for that mark.</source>
         <translation>Bei %1 Sekunden sendet die Zeitleiste ein Ereignis ohne Namen. Wählen Sie eines für diese Zeitmarke.</translation>
     </message>
+    <message>
+        <source>There is no pass &quot;%1&quot;. There are: %2.</source>
+        <translation>Es gibt keine Ebene „%1“. Es gibt: %2.</translation>
+    </message>
+    <message>
+        <source>The graphics driver offers no framebuffer of numbers of %1 by %2 pixels. Try a smaller picture.</source>
+        <translation>Der Grafiktreiber bietet keinen Bildspeicher für Zahlen mit %1 mal %2 Pixeln. Versuchen Sie ein kleineres Bild.</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -5654,6 +5662,33 @@
     <message>
         <source>Place %1</source>
         <translation>Ort %1</translation>
+    </message>
+</context>
+<context>
+    <name>PicturePasses</name>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Individual</source>
+        <translation>Figur</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Vorlage</translation>
     </message>
 </context>
 <context>
@@ -9055,6 +9090,14 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>F-stop</source>
         <translation>Blende</translation>
+    </message>
+    <message>
+        <source>For compositing: a layer of an OpenEXR file, with the colours</source>
+        <translation>Fürs Compositing: eine Ebene einer OpenEXR-Datei, zusammen mit den Farben</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Ebenen</translation>
     </message>
 </context>
 <context>

@@ -5637,6 +5637,14 @@
         <source>At %1 seconds the timeline sends an event without a name. Choose one for that mark.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>There is no pass &quot;%1&quot;. There are: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The graphics driver offers no framebuffer of numbers of %1 by %2 pixels. Try a smaller picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -5653,6 +5661,33 @@
     </message>
     <message>
         <source>Place %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PicturePasses</name>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Individual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Template</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9049,6 +9084,14 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>F-stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For compositing: a layer of an OpenEXR file, with the colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passes</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

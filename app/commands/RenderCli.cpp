@@ -12,6 +12,7 @@
 #include "app/commands/RenderCommand.h"
 #include "app/pictures/MovieFormats.h"
 #include "app/pictures/PictureFormats.h"
+#include "app/pictures/PicturePasses.h"
 #include "render/Looks.h"
 
 namespace crowd::app {
@@ -62,6 +63,8 @@ void addRenderCommand(CLI::App& cli, RenderOptions& options, int& status)
     command->add_option("--f-stop", options.fStop,
                         "Depth of field: the smaller, the less is sharp; 0.5 where only --focus is "
                         "given");
+    command->add_option("--passes", options.passes,
+                        "Layers of an .exr file, with commas: " + passKeys());
     command->add_option("--frames", options.frames,
                         "Draw frames A-B; in steps A-BxN; several with commas: 5,20-29,40-90x10");
     command->add_flag("--resume", options.isResumed,

@@ -16,7 +16,6 @@
 #include "app/pictures/LensWish.h"
 #include "app/pictures/LookWish.h"
 #include "app/pictures/MovieFile.h"
-#include "app/pictures/PictureFile.h"
 #include "app/pictures/PictureMaker.h"
 #include "behavior/session/SceneMotion.h"
 #include "model/project/LocateAssets.h"
@@ -95,7 +94,10 @@ public:
         return {};
     }
     [[nodiscard]] std::vector<std::uint8_t> pixels() const { return m_maker->pixels(); }
-    [[nodiscard]] glm::ivec2 size() const { return m_request.size; }
+    [[nodiscard]] model::Result<void> save(const QString& path, const PicturePasses& passes)
+    {
+        return m_maker->save(path, m_request, passes);
+    }
 
 private:
     /// Each sentence once, as soon as there is reason to.
@@ -156,7 +158,7 @@ model::Result<void> writeFrames(ScenePictures& pictures, const RenderPlan& plan,
         }
         {
             const InterruptGuard guard;
-            if (auto written = writePicture(path, pictures.pixels(), pictures.size()); !written) {
+            if (auto written = pictures.save(path, plan.passes); !written) {
                 return written;
             }
         }

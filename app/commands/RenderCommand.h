@@ -17,6 +17,7 @@ struct RenderOptions
     double time = 0.0;  ///< seconds of the transport; of frame 0 where several are drawn
     std::string look;   ///< a style, or one of the scene's looks; empty: the camera's, else lit
     std::string by;     ///< property that people are coloured by; empty: as the look is
+    std::string passes; ///< keys of PicturePass with commas between; empty: the colours alone
     std::string frames; ///< see FrameList
     bool isResumed = false;
     std::optional<double> focusMetres; ///< and the next: depth of field

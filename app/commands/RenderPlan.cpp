@@ -3,9 +3,11 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "app/commands/OptionText.h"
 #include "app/pictures/MovieFormats.h"
+#include "app/pictures/PictureFormats.h"
 #include "behavior/session/SceneMotion.h"
 
 namespace crowd::app {
@@ -65,6 +67,21 @@ model::Result<void> planFrames(const RenderOptions& options, RenderPlan& plan)
     return {};
 }
 
+model::Result<void> planPasses(const RenderOptions& options, RenderPlan& plan)
+{
+    auto passes = passesOf(options.passes);
+    if (!passes) {
+        return model::Error{"--passes " + options.passes + ": " + passes.error().message};
+    }
+    plan.passes = std::move(passes).value();
+    const PictureFormat* format = pictureFormatOf(QString::fromStdString(options.output));
+    if (!plan.passes.empty() && (format == nullptr || !format->hasLayers)) {
+        return model::Error{"--output " + options.output +
+                            " has no room for passes: let it end in .exr, or leave --passes away."};
+    }
+    return {};
+}
+
 } // namespace
 
 double RenderPlan::secondsOf(int frame) const
@@ -89,6 +106,9 @@ model::Result<RenderPlan> planOf(const RenderOptions& options)
     }
     if (auto frames = planFrames(options, plan); !frames) {
         return frames.error();
+    }
+    if (auto passes = planPasses(options, plan); !passes) {
+        return passes.error();
     }
     if (!isInRange(plan.secondsOf(plan.frames.last()), -kMost, kMost)) {
         return model::Error{"--frames " + options.frames +

@@ -7,6 +7,7 @@
 
 #include "app/commands/FrameList.h"
 #include "app/commands/RenderCommand.h"
+#include "app/pictures/PicturePasses.h"
 #include "model/base/Result.h"
 #include "render/RenderInput.h"
 
@@ -17,6 +18,7 @@ struct RenderPlan
 {
     glm::ivec2 size{1280, 720};
     FrameList frames;
+    PicturePasses passes;      ///< empty: a picture as its ending says
     double startSeconds = 0.0; ///< of frame 0
     double framesPerSecond = 30.0;
     bool isMovie = false;   ///< all frames in one file

@@ -1,48 +1,35 @@
 // SPDX-License-Identifier: MIT
 #include "app/pictures/PictureFile.h"
 
-#include <algorithm>
-#include <cmath>
 #include <string_view>
 
-#include <QtGui/QImage>
+#include <QtCore/QByteArray>
 
 #include "app/pictures/PictureFormats.h"
-#include "model/base/Color.h"
 #include "model/project/WholeFile.h"
 
 namespace crowd::app {
 
 namespace {
 
-/// sRGB of what light times alpha was encoded from, without the alpha.
-std::uint8_t unmultiplied(std::uint8_t encoded, std::uint8_t alpha)
+model::Error notMade(const QString& path, const model::Error& error)
 {
-    constexpr float kMost = 255.0F;
-    const float light = model::linearFromSrgb(static_cast<float>(encoded) / kMost);
-    const float own = std::min(1.0F, light * kMost / static_cast<float>(alpha));
-    return static_cast<std::uint8_t>(std::lround(model::srgbFromLinear(own) * kMost));
+    return {QT_TRANSLATE_NOOP(
+                "Messages",
+                "%1: the picture could not be made: %2. Try a smaller size, or another ending."),
+            path.toStdString(), error.said};
 }
 
-QImage transparentImage(std::vector<std::uint8_t> rgba, glm::ivec2 size)
+model::Result<void> writeBytes(const QString& path, const QByteArray& bytes)
 {
-    for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
-        const std::uint8_t alpha = rgba[i + 3];
-        if (alpha == 0 || alpha == 255) {
-            continue;
-        }
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            rgba[i + channel] = unmultiplied(rgba[i + channel], alpha);
-        }
+    const std::string_view text(bytes.constData(), static_cast<std::size_t>(bytes.size()));
+    if (auto written = model::writeWholeFile(path, text); !written) {
+        return model::Error{
+            QT_TRANSLATE_NOOP("Messages", "%1 cannot be written: %2. Check the folder, its rights "
+                                          "and the space on the disk."),
+            path.toStdString(), written.error().said};
     }
-    return QImage(rgba.data(), size.x, size.y, size.x * 4, QImage::Format_RGBA8888).copy();
-}
-
-/// Without an alpha channel in the file.
-QImage opaqueImage(const std::vector<std::uint8_t>& rgba, glm::ivec2 size)
-{
-    return QImage(rgba.data(), size.x, size.y, size.x * 4, QImage::Format_RGBX8888)
-        .convertToFormat(QImage::Format_RGB888);
+    return {};
 }
 
 } // namespace
@@ -64,24 +51,21 @@ model::Result<void> writePicture(const QString& path, const std::vector<std::uin
                                               "end in .png, or switch the transparency off."),
                             path.toStdString(), std::string(format->name)};
     }
-    const QImage image = isTransparent ? transparentImage(rgba, size) : opaqueImage(rgba, size);
-    const auto encoded = format->encode(image);
+    const auto encoded = format->encode({rgba, size, isTransparent});
     if (!encoded) {
-        return model::Error{
-            QT_TRANSLATE_NOOP(
-                "Messages",
-                "%1: the picture could not be made: %2. Try a smaller size, or another ending."),
-            path.toStdString(), encoded.error().said};
+        return notMade(path, encoded.error());
     }
-    const QByteArray& bytes = encoded.value();
-    const std::string_view text(bytes.constData(), static_cast<std::size_t>(bytes.size()));
-    if (auto written = model::writeWholeFile(path, text); !written) {
-        return model::Error{
-            QT_TRANSLATE_NOOP("Messages", "%1 cannot be written: %2. Check the folder, its rights "
-                                          "and the space on the disk."),
-            path.toStdString(), written.error().said};
+    return writeBytes(path, encoded.value());
+}
+
+model::Result<void> writeLayers(const QString& path, const ExrHeader& header,
+                                std::span<const ExrLayer> layers)
+{
+    const auto encoded = encodeExr(header, layers);
+    if (!encoded) {
+        return notMade(path, encoded.error());
     }
-    return {};
+    return writeBytes(path, encoded.value());
 }
 
 } // namespace crowd::app

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <QtCore/QString>
 
 #include <glm/vec2.hpp>
 
+#include "app/pictures/ExrFile.h"
 #include "model/base/Result.h"
 
 namespace crowd::app {
@@ -18,5 +20,9 @@ namespace crowd::app {
 [[nodiscard]] model::Result<void> writePicture(const QString& path,
                                                const std::vector<std::uint8_t>& rgba,
                                                glm::ivec2 size, bool isTransparent = false);
+
+/// Several layers of one, as OpenEXR whatever the path ends in; whole or not at all.
+[[nodiscard]] model::Result<void> writeLayers(const QString& path, const ExrHeader& header,
+                                              std::span<const ExrLayer> layers);
 
 } // namespace crowd::app

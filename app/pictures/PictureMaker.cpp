@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/pictures/PictureMaker.h"
 
+#include "app/pictures/PictureFile.h"
 #include "render/SceneLook.h"
 
 namespace crowd::app {
@@ -32,6 +33,13 @@ render::RenderInput inputOf(const PictureRequest& request, model::KeyframeStore&
     return input;
 }
 
+model::Error contextLost()
+{
+    return {QT_TRANSLATE_NOOP("Messages",
+                              "The graphics context for pictures was lost. Start the program "
+                              "again.")};
+}
+
 } // namespace
 
 model::Result<std::unique_ptr<PictureMaker>> PictureMaker::create(model::KeyframeStore& keyframes)
@@ -59,8 +67,7 @@ model::Result<void> PictureMaker::draw(const PictureRequest& request,
                                        const model::KeepGoing& keepGoing)
 {
     if (!m_context->makeCurrent()) {
-        return model::Error{QT_TRANSLATE_NOOP(
-            "Messages", "The graphics context for pictures was lost. Start the program again.")};
+        return contextLost();
     }
     const render::RenderInput input = inputOf(request, m_keyframes);
     auto drawn = drawComplete(input);
@@ -75,6 +82,36 @@ model::Result<void> PictureMaker::draw(const PictureRequest& request,
     }
     m_hasDrawn = true;
     return drawn && input.lens ? ripen(input, keepGoing) : drawn;
+}
+
+model::Result<std::vector<ExrLayer>> PictureMaker::layers(const PictureRequest& request,
+                                                          const PicturePasses& passes)
+{
+    if (!m_context->makeCurrent()) {
+        return contextLost();
+    }
+    model::Result<render::AovPicture> aovs{render::AovPicture()};
+    if (needAovs(passes)) {
+        aovs = m_renderer.drawAovs(inputOf(request, m_keyframes));
+    }
+    if (!aovs) {
+        return aovs.error();
+    }
+    return layersOf(
+        passes, {pixels(), request.isTransparent, aovs.value(), *request.frame, request.camera});
+}
+
+model::Result<void> PictureMaker::save(const QString& path, const PictureRequest& request,
+                                       const PicturePasses& passes)
+{
+    if (passes.empty()) {
+        return writePicture(path, pixels(), size(), request.isTransparent);
+    }
+    const auto made = layers(request, passes);
+    if (!made) {
+        return made.error();
+    }
+    return writeLayers(path, exrHeaderOf(request.camera, size(), *request.frame), made.value());
 }
 
 /// The mean of pictures through all of the lens.

@@ -9,6 +9,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/pictures/PicturePasses.h"
 #include "model/base/KeepGoing.h"
 #include "model/base/Result.h"
 #include "model/scene/CrowdFrame.h"
@@ -51,6 +52,13 @@ public:
     /// An error where it is stopped.
     [[nodiscard]] model::Result<void> draw(const PictureRequest& request,
                                            const model::KeepGoing& keepGoing = {});
+    /// Layers of the picture of a request that has just been drawn.
+    [[nodiscard]] model::Result<std::vector<ExrLayer>> layers(const PictureRequest& request,
+                                                              const PicturePasses& passes);
+    /// Writes the picture of a request that has just been drawn to a file, whole or not at all:
+    /// with passes as OpenEXR of as many layers, without as its ending says.
+    [[nodiscard]] model::Result<void> save(const QString& path, const PictureRequest& request,
+                                           const PicturePasses& passes);
     /// The last picture: RGBA8, sRGB, rows from the top.
     [[nodiscard]] std::vector<std::uint8_t> pixels() const { return m_renderer.readPixels(); }
     /// Until the next picture the context belongs to no thread.

@@ -82,15 +82,85 @@ void refuseMissing(const Scene& scene)
                       all);
 }
 
-py::object picture(const ScenePtr& scene, int width, int height, const CameraKey& camera,
-                   double time, const std::string& look, const std::string& by,
-                   std::optional<double> focus, std::optional<double> fStop, bool allowsMissing,
-                   const LongCall::Listener& progress)
+void refuseTime(double time)
 {
     if (!(std::abs(time) <= behavior::kMostSceneSeconds)) {
         throw ScriptError("time is " + std::string(py::str(py::float_(time))) +
                           "; it must be from -604800 to 604800 seconds, a week.");
     }
+}
+
+/// Height × width, and × the number of channels where there are several.
+py::object arrayOf(const ExrLayer& layer, const glm::ivec2& size)
+{
+    const auto count = static_cast<py::ssize_t>(layer.channels.size());
+    if (const auto* ids = std::get_if<std::vector<std::uint32_t>>(&layer.channels[0].values)) {
+        return py::array_t<std::uint32_t>({size.y, size.x}, ids->data());
+    }
+    std::vector<py::ssize_t> shape{size.y, size.x};
+    if (count > 1) {
+        shape.push_back(count);
+    }
+    py::array_t<float> array(shape);
+    for (py::ssize_t channel = 0; channel < count; ++channel) {
+        const auto& values =
+            std::get<std::vector<float>>(layer.channels[static_cast<std::size_t>(channel)].values);
+        float* to = array.mutable_data() + channel;
+        for (const float value : values) {
+            *to = value;
+            to += count;
+        }
+    }
+    return array;
+}
+
+/// Of a list of keys.
+PicturePasses passesNamed(const std::vector<std::string>& names)
+{
+    if (names.empty()) {
+        throw ScriptError("passes names nothing. There are: " + passKeys() + ".");
+    }
+    std::string keys;
+    for (const std::string& name : names) {
+        keys += (keys.empty() ? "" : ",") + name;
+    }
+    return valueOrRaise(passesOf(keys));
+}
+
+py::dict renderPasses(const ScenePtr& scene, int width, int height,
+                      const std::vector<std::string>& names, const CameraKey& camera, double time,
+                      const std::string& look, const std::optional<FilePath>& path,
+                      bool allowsMissing, const LongCall::Listener& progress)
+{
+    refuseTime(time);
+    if (!allowsMissing) {
+        refuseMissing(*scene->scene());
+    }
+    LongCall call(progress);
+    ScriptPicture request;
+    request.size = {width, height};
+    request.seconds = time;
+    request.passes = passesNamed(names);
+    const PicturePasses passes = request.passes;
+    const ScriptDrawing drawn =
+        drawingOf(*scene, std::move(request), camera, {{look, "", cameraName(camera)}, {}}, call);
+    if (path) {
+        valueOrRaise(
+            writeLayers(QString::fromStdString(path->string()), drawn.header, drawn.layers));
+    }
+    py::dict arrays;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        arrays[py::str(std::string(passes[i]->key))] = arrayOf(drawn.layers[i], {width, height});
+    }
+    return arrays;
+}
+
+py::object picture(const ScenePtr& scene, int width, int height, const CameraKey& camera,
+                   double time, const std::string& look, const std::string& by,
+                   std::optional<double> focus, std::optional<double> fStop, bool allowsMissing,
+                   const LongCall::Listener& progress)
+{
+    refuseTime(time);
     if (!allowsMissing) {
         refuseMissing(*scene->scene());
     }
@@ -225,18 +295,15 @@ void waitForPictures(const ScriptScene& scene)
 
 } // namespace
 
-py::object pictureOf(ScriptScene& scene, const glm::ivec2& size, const CameraKey& camera,
-                     const PictureKey& look, double time, CrowdFramePtr frame, LongCall& call)
+ScriptDrawing drawingOf(ScriptScene& scene, ScriptPicture request, const CameraKey& camera,
+                        const PictureKey& look, LongCall& call)
 {
     constexpr int kMost = 16384;
+    const glm::ivec2 size = request.size;
     if (size.x < 1 || size.y < 1 || size.x > kMost || size.y > kMost) {
         throw ScriptError("A picture is 1 to 16384 pixels wide and high.");
     }
-    ScriptPicture request;
-    request.size = size;
     request.camera = cameraOf(scene, camera);
-    request.seconds = time;
-    request.frame = std::move(frame);
     request.look = valueOrRaise(chosenLook(look.look, *scene.scene()));
     request.lens = look.lens;
     constexpr double kSimulated = 0.9; // the rest is drawn
@@ -249,14 +316,44 @@ py::object pictureOf(ScriptScene& scene, const glm::ivec2& size, const CameraKey
         return call.hook()(kSimulated + (1.0 - kSimulated) * share);
     };
     waitForPictures(scene);
-    const auto drawn = scene.pictures().picture(scene, request);
+    auto drawn = scene.pictures().picture(scene, request);
     call.raise(); // what stopped it says more than that it was
-    const std::vector<std::uint8_t> pixels = valueOrRaise(drawn);
+    ScriptDrawing drawing = valueOrRaise(std::move(drawn));
     (void)call.hook()(1.0);
     call.raise();
-    const py::array_t<std::uint8_t> array({size.y, size.x, 4}, pixels.data());
+    return drawing;
+}
+
+py::object pictureOf(ScriptScene& scene, const glm::ivec2& size, const CameraKey& camera,
+                     const PictureKey& look, double time, CrowdFramePtr frame, LongCall& call)
+{
+    ScriptPicture request;
+    request.size = size;
+    request.seconds = time;
+    request.frame = std::move(frame);
+    const ScriptDrawing drawn = drawingOf(scene, std::move(request), camera, look, call);
+    const py::array_t<std::uint8_t> array({size.y, size.x, 4}, drawn.pixels.data());
     return callPython(py::module_::import("crowdbrush").attr("Picture"), py::make_tuple(array));
 }
+
+namespace {
+
+std::string passesDoc()
+{
+    std::string doc = "What the picture shows, in numbers for compositing: by the name of each of "
+                      "the passes an array, height × width, × the components where there are "
+                      "several, float32 or uint32, rows from the top. path: an .exr file that they "
+                      "are written to as well, a layer each. Of each pixel it is what lies at its "
+                      "centre; glass is seen through. There are";
+    const char* comma = " ";
+    for (const PicturePass& pass : picturePasses()) {
+        doc += comma + std::string(pass.key) + " (" + pass.doc + ")";
+        comma = "; ";
+    }
+    return doc + ". The rest is as of render. " CROWD_PROGRESS_DOC;
+}
+
+} // namespace
 
 void bindPictures(py::module_& module, SceneClass& scene)
 {
@@ -277,6 +374,11 @@ void bindPictures(py::module_& module, SceneClass& scene)
         "where either is given. Where a stage, or a character of whom there is somebody, could not "
         "be "
         "loaded, it fails and says what is missing, unless allow_missing. " CROWD_PROGRESS_DOC);
+    scene.def("render_passes", &renderPasses, py::arg("width"), py::arg("height"),
+              py::arg("passes"), py::kw_only(), py::arg("camera") = CameraKey(),
+              py::arg("time") = 0.0, py::arg("look") = "", py::arg("path") = py::none(),
+              py::arg("allow_missing") = false, py::arg("progress") = py::none(),
+              passesDoc().c_str());
 }
 
 } // namespace crowd::app

@@ -23,6 +23,20 @@ bool wasForkedAfterDrawing()
     return drawer != getpid();
 }
 
+Result<ScriptDrawing> drawWith(PictureMaker& maker, const PictureRequest& request,
+                               const ScriptPicture& picture)
+{
+    if (auto drawn = maker.draw(request, picture.keepGoing); !drawn) {
+        return drawn.error();
+    }
+    auto layers = maker.layers(request, picture.passes);
+    if (!layers) {
+        return layers.error();
+    }
+    return ScriptDrawing{maker.pixels(), std::move(layers).value(),
+                         exrHeaderOf(request.camera, request.size, *request.frame)};
+}
+
 } // namespace
 
 /// What moves in pictures of a later time.
@@ -82,8 +96,7 @@ CrowdFramePtr ScriptPictures::frameAt(ScriptScene& script, double seconds, const
     return frame;
 }
 
-Result<std::vector<std::uint8_t>> ScriptPictures::picture(ScriptScene& script,
-                                                          const ScriptPicture& picture)
+Result<ScriptDrawing> ScriptPictures::picture(ScriptScene& script, const ScriptPicture& picture)
 {
     if (wasForkedAfterDrawing()) {
         return Error{"Pictures cannot be drawn in a process that was forked from one that draws: "
@@ -104,8 +117,7 @@ Result<std::vector<std::uint8_t>> ScriptPictures::picture(ScriptScene& script,
     }
 }
 
-Result<std::vector<std::uint8_t>> ScriptPictures::draw(ScriptScene& script,
-                                                       const ScriptPicture& picture)
+Result<ScriptDrawing> ScriptPictures::draw(ScriptScene& script, const ScriptPicture& picture)
 {
     const auto now = script.scene();
     const auto camera = cameraOrFirst(*now, picture.camera);
@@ -139,13 +151,9 @@ Result<std::vector<std::uint8_t>> ScriptPictures::draw(ScriptScene& script,
     request.look = picture.look.look;
     request.ownLook = picture.look.own;
     request.frame = colouredBy(picture.look, *shown, request.frame);
-    const auto drawn = m_maker->draw(request, picture.keepGoing);
-    std::vector<std::uint8_t> pixels = drawn ? m_maker->pixels() : std::vector<std::uint8_t>();
+    auto drawn = drawWith(*m_maker, request, picture);
     m_maker->release(); // the next one may be wanted on another thread
-    if (!drawn) {
-        return drawn.error();
-    }
-    return pixels;
+    return drawn;
 }
 
 } // namespace crowd::app

@@ -44,8 +44,16 @@ struct ScriptPicture
     model::CrowdFramePtr frame;          ///< people; null: as the scene shows them at that time
     ChosenLook look{};
     LensWish lens{};
+    PicturePasses passes{};
     model::KeepGoing keepGoing{}; ///< of drawing
     Patience patience = [](Waiting&, const std::function<void()>& work) { work(); };
+};
+
+struct ScriptDrawing
+{
+    std::vector<std::uint8_t> pixels; ///< RGBA8, sRGB, rows from the top
+    std::vector<ExrLayer> layers;     ///< one of each pass
+    ExrHeader header;                 ///< of a file of them
 };
 
 /// The camera, or the scene's first one.
@@ -62,9 +70,8 @@ public:
     ScriptPictures(const ScriptPictures&) = delete;
     ScriptPictures& operator=(const ScriptPictures&) = delete;
 
-    /// RGBA8, sRGB, rows from the top.
-    [[nodiscard]] model::Result<std::vector<std::uint8_t>> picture(ScriptScene& script,
-                                                                   const ScriptPicture& picture);
+    [[nodiscard]] model::Result<ScriptDrawing> picture(ScriptScene& script,
+                                                       const ScriptPicture& picture);
     /// The thread that a picture is being drawn on; none else. Another one waits until it is done.
     [[nodiscard]] std::thread::id drawingThread() const { return m_drawing; }
 
@@ -73,8 +80,8 @@ private:
 
     [[nodiscard]] model::CrowdFramePtr frameAt(ScriptScene& script, double seconds,
                                                const Patience& patience);
-    [[nodiscard]] model::Result<std::vector<std::uint8_t>> draw(ScriptScene& script,
-                                                                const ScriptPicture& picture);
+    [[nodiscard]] model::Result<ScriptDrawing> draw(ScriptScene& script,
+                                                    const ScriptPicture& picture);
 
     model::KeyframeStore m_keyframes;      ///< pictures wait for all of it, whatever else goes on
     std::unique_ptr<PictureMaker> m_maker; ///< made when first asked for

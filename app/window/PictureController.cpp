@@ -12,7 +12,6 @@
 #include <glm/geometric.hpp>
 
 #include "app/pictures/LensWish.h"
-#include "app/pictures/PictureFile.h"
 #include "app/pictures/PictureFormats.h"
 #include "app/pictures/PictureMaker.h"
 #include "app/window/AskForPath.h"
@@ -30,6 +29,7 @@ struct NamedJob
 {
     QString path;
     PictureJob picture;
+    PicturePasses passes;
     model::Scene scene;
     model::CrowdFramePtr frame;
 };
@@ -46,14 +46,16 @@ model::Result<void> drawPicture(const NamedJob& job, const model::KeepGoing& kee
     if (auto drawn = maker.value()->draw(request, keepGoing); !drawn) {
         return drawn;
     }
-    return writePicture(job.path, maker.value()->pixels(), maker.value()->size(),
-                        request.isTransparent);
+    return maker.value()->save(job.path, request, job.passes);
 }
 
-std::vector<SaveKind> pictureKinds()
+std::vector<SaveKind> pictureKinds(bool hasPasses)
 {
     std::vector<SaveKind> kinds;
     for (const PictureFormat& format : pictureFormats()) {
+        if (hasPasses && !format.hasLayers) {
+            continue;
+        }
         SaveKind& kind = kinds.emplace_back();
         kind.name = QLatin1String(format.name);
         for (const char* ending : format.endings) {
@@ -102,8 +104,8 @@ void PictureController::save(glm::ivec2 view)
         return;
     }
     const QString path = askForPath(
-        m_window, tr("Save Picture"), pictureKinds(), QStringLiteral("picture/folder"),
-        m_state.document().path(),
+        m_window, tr("Save Picture"), pictureKinds(!dialog.passes().empty()),
+        QStringLiteral("picture/folder"), m_state.document().path(),
         QStandardPaths::writableLocation(QStandardPaths::PicturesLocation), tr("picture"));
     if (!path.isEmpty()) {
         draw(path, dialog);
@@ -117,7 +119,8 @@ void PictureController::draw(const QString& path, const PictureDialog& chosen)
         m_state.showStatus(model::translated(lens.error()));
         return;
     }
-    NamedJob job{path, PictureJob::ofView(m_state), m_state.scene(), m_state.frame()};
+    NamedJob job{path, PictureJob::ofView(m_state), chosen.passes(), m_state.scene(),
+                 m_state.frame()};
     job.picture.request.size = chosen.chosenSize();
     job.picture.request.lens = lens.value();
     job.picture.request.isTransparent = chosen.isTransparent();

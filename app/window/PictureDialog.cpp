@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/PictureDialog.h"
 
+#include <QtCore/QCoreApplication>
 #include <QtCore/QSettings>
 #include <QtCore/QSignalBlocker>
 #include <QtWidgets/QCheckBox>
@@ -8,6 +9,7 @@
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QFormLayout>
+#include <QtWidgets/QGridLayout>
 #include <QtWidgets/QPushButton>
 
 #include "app/window/PictureSizeFields.h"
@@ -18,6 +20,7 @@ namespace {
 
 const QString kPictureLens = QStringLiteral("picture/depthOfField");
 const QString kPictureFStop = QStringLiteral("picture/fStop");
+const QString kPicturePasses = QStringLiteral("picture/passes");
 const QString kPictureTransparent = QStringLiteral("picture/transparent");
 
 } // namespace
@@ -42,6 +45,7 @@ PictureDialog::PictureDialog(glm::ivec2 view, const model::Camera& camera,
     form->addRow(tr("Size"), m_size);
     form->addRow(QString(), m_transparent);
     addLens(*form, camera, selectedDepth);
+    addPasses(*form);
     form->addRow(buttons);
     m_transparent->setChecked(QSettings().value(kPictureTransparent).toBool());
 }
@@ -94,6 +98,40 @@ void PictureDialog::addLens(QFormLayout& form, const model::Camera& camera,
     chooseFocus(m_focuses->currentIndex());
 }
 
+void PictureDialog::addPasses(QFormLayout& form)
+{
+    constexpr int kColumns = 3;
+    auto* area = new QWidget(this);
+    auto* grid = new QGridLayout(area);
+    grid->setContentsMargins({});
+    const QStringList chosen = QSettings().value(kPicturePasses).toStringList();
+    for (const PicturePass& pass : picturePasses()) {
+        if (!pass.needsAovs) {
+            continue; // the picture itself
+        }
+        const QString key = QString::fromUtf8(pass.key.data(), static_cast<int>(pass.key.size()));
+        auto* box = new QCheckBox(QCoreApplication::translate("PicturePasses", pass.label), area);
+        box->setObjectName(QStringLiteral("picturePass.") + key);
+        box->setToolTip(tr("For compositing: a layer of an OpenEXR file, with the colours"));
+        box->setChecked(chosen.contains(key));
+        const int place = static_cast<int>(m_passes.size());
+        grid->addWidget(box, place / kColumns, place % kColumns);
+        m_passes.emplace_back(&pass, box);
+    }
+    form.addRow(tr("Passes"), area);
+}
+
+PicturePasses PictureDialog::passes() const
+{
+    PicturePasses passes{&picturePasses().front()};
+    for (const auto& [pass, box] : m_passes) {
+        if (box->isChecked()) {
+            passes.push_back(pass);
+        }
+    }
+    return passes.size() > 1 ? passes : PicturePasses();
+}
+
 void PictureDialog::chooseFocus(int index)
 {
     const QVariant metres = m_focuses->itemData(index);
@@ -134,6 +172,13 @@ void PictureDialog::accept()
     settings.setValue(kPictureTransparent, m_transparent->isChecked());
     settings.setValue(kPictureLens, m_hasLens->isChecked());
     settings.setValue(kPictureFStop, m_fStop->value());
+    QStringList chosen;
+    for (const auto& [pass, box] : m_passes) {
+        if (box->isChecked()) {
+            chosen << QString::fromUtf8(pass->key.data(), static_cast<int>(pass->key.size()));
+        }
+    }
+    settings.setValue(kPicturePasses, chosen);
     QDialog::accept();
 }
 

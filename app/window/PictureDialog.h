@@ -2,12 +2,15 @@
 #pragma once
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <QtWidgets/QDialog>
 
 #include <glm/vec2.hpp>
 
 #include "app/pictures/LensWish.h"
+#include "app/pictures/PicturePasses.h"
 
 class QCheckBox;
 class QComboBox;
@@ -19,7 +22,8 @@ namespace crowd::app {
 class PictureSizeFields;
 
 /// What File > Save Picture asks before it asks for a name: the size in pixels, whether what lies
-/// behind crowd and stage is left out, and what is sharp. Proposes what was chosen last.
+/// behind crowd and stage is left out, what is sharp, and what else the file holds. Proposes what
+/// was chosen last.
 class PictureDialog : public QDialog
 {
     Q_OBJECT
@@ -33,12 +37,15 @@ public:
     [[nodiscard]] glm::ivec2 chosenSize() const;
     [[nodiscard]] bool isTransparent() const;
     [[nodiscard]] LensWish lens() const;
+    /// With the colours; empty: a picture alone.
+    [[nodiscard]] PicturePasses passes() const;
 
     void accept() override;
 
 private:
     void addLens(QFormLayout& form, const model::Camera& camera,
                  std::optional<double> selectedDepth);
+    void addPasses(QFormLayout& form);
     void chooseFocus(int index);
     void noteOwnFocus();
 
@@ -48,6 +55,7 @@ private:
     QComboBox* m_focuses;
     QDoubleSpinBox* m_focus;
     QDoubleSpinBox* m_fStop;
+    std::vector<std::pair<const PicturePass*, QCheckBox*>> m_passes;
 };
 
 } // namespace crowd::app

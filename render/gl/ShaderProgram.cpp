@@ -47,6 +47,9 @@ std::string fullText(const std::string& file, std::string_view defines)
         }
         text += shaderSource("shadow.glsl");
         text += shaderSource("tone.glsl");
+        if (isDefined(defines, "AOV")) {
+            text += shaderSource("aov.glsl");
+        }
     }
     return text.append(own);
 }

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <utility>
 
 #include <epoxy/gl.h>
 
@@ -28,6 +29,7 @@ struct PassInfo
     Mark mark = Mark::None;
     bool (*isNeeded)(const PassContext&) = nullptr; ///< null: always
     bool isMesh = false;                            ///< of triangles whose edges a look may want
+    bool isSolid = false; ///< hides what is behind it: has places and normals
 };
 
 bool hasPeople(const PassContext& context)
@@ -39,11 +41,11 @@ bool hasPeople(const PassContext& context)
 /// them; what is seen through comes after what is not.
 constexpr PassInfo kPasses[] = {
     {"people", [](Passes& p, const PassContext& c) { return p.people.draw(c, p.crowd, p.seen); },
-     Mark::People, &hasPeople, true},
+     Mark::People, &hasPeople, true, true},
     {"stage", [](Passes& p, const PassContext& c) { return p.stage.draw(c); }, Mark::Others,
-     nullptr, true},
+     nullptr, true, true},
     {"ground", [](Passes& p, const PassContext& c) { return p.background.drawGround(c); },
-     Mark::Others, [](const PassContext& c) { return c.style.hasGround; }},
+     Mark::Others, [](const PassContext& c) { return c.style.hasGround; }, false, true},
     {"occlusion",
      [](Passes& p, const PassContext& c) {
          return p.depths.take(p.target) ? p.occlusion.draw(c, p.depths, p.target)
@@ -182,6 +184,19 @@ model::Result<void> Passes::draw(PassContext context)
         }
     }
     return {};
+}
+
+model::Result<AovPicture> Passes::drawAovs(const PassContext& context)
+{
+    prepare(context);
+    auto drawn = aovs.begin(context.pixelSize);
+    for (const PassInfo& pass : kPasses) {
+        if (drawn && pass.isSolid && (pass.isNeeded == nullptr || pass.isNeeded(context))) {
+            drawn = pass.draw(*this, context);
+        }
+    }
+    AovPicture picture = aovs.take();
+    return drawn ? model::Result<AovPicture>(std::move(picture)) : drawn.error();
 }
 
 model::Result<void> Passes::finish(const PassContext& context, const std::uint32_t* framebuffer)

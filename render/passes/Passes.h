@@ -4,6 +4,7 @@
 #include "model/base/Result.h"
 #include "render/crowd/CrowdGpu.h"
 #include "render/crowd/CrowdView.h"
+#include "render/gl/AovTarget.h"
 #include "render/gl/DepthCopy.h"
 #include "render/gl/PictureSum.h"
 #include "render/gl/PictureTarget.h"
@@ -29,6 +30,7 @@ namespace crowd::render {
 struct Passes
 {
     PictureTarget target;
+    AovTarget aovs;
     CrowdGpu crowd;   ///< whoever looks
     CrowdView seen{}; ///< by the camera
     PeopleDrawing peopleDrawing;
@@ -52,6 +54,8 @@ struct Passes
     [[nodiscard]] model::Result<void> initialize();
     /// Into the target, which has begun.
     [[nodiscard]] model::Result<void> draw(PassContext context);
+    /// Places and normals of what is solid; the target stays as it is.
+    [[nodiscard]] model::Result<AovPicture> drawAovs(const PassContext& context);
     /// From the target to a framebuffer, or to the target's own if it is null.
     [[nodiscard]] model::Result<void> finish(const PassContext& context,
                                              const std::uint32_t* framebuffer);

@@ -114,6 +114,16 @@ Style Style::of(const RenderInput& input)
     return style;
 }
 
+Style Style::ofAovs(const RenderInput& input)
+{
+    Style style;
+    style.surfaceDefines = "AOV ";
+    style.hasRelief = true;
+    style.hasGround = input.showGround && !input.isTransparent;
+    style.hasGrid = false;
+    return style;
+}
+
 std::string Style::materialDefines() const
 {
     return surfaceDefines + (highlights > 0.0F ? "HIGHLIGHTS " : "");

@@ -68,6 +68,8 @@ struct Style
     /// The hue of what the sky alone lights against that of what the sun lights too.
     [[nodiscard]] glm::vec3 shadowTint() const;
     [[nodiscard]] static Style of(const RenderInput& input);
+    /// Of what is drawn for its places: without light, but with all that hides something.
+    [[nodiscard]] static Style ofAovs(const RenderInput& input);
 };
 
 } // namespace crowd::render

@@ -1,4 +1,9 @@
 in vec4 color;
+#ifdef AOV
+in vec3 aovWorld;
+in vec3 aovFacing;
+flat in float aovRow;
+#endif
 #ifdef CARTOON
 in float level;
 #endif
@@ -40,7 +45,9 @@ in vec4 replacement;
 const float kDarkest = 0.01; // as in crowd.vert
 #endif
 
+#ifndef AOV
 out vec4 fragment;
+#endif
 
 #ifdef BLENDED
 const float kClear = 1.0 / 255.0;
@@ -120,5 +127,9 @@ void main()
 #ifdef OPACITY
     result.a *= opacity;
 #endif
+#ifdef AOV
+    writeAovs(aovWorld, aovRow, aovFacing);
+#else
     fragment = result;
+#endif
 }

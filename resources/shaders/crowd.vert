@@ -31,6 +31,11 @@ out float hazed; // share that the air hides
 #ifdef CARTOON
 out float level; // of light, as a share of all there can be
 #endif
+#ifdef AOV
+out vec3 aovWorld;
+out vec3 aovFacing;
+flat out float aovRow;
+#endif
 out vec4 color; // lit base colour; alpha, or who is highlighted where that is 1
 #ifdef SHADOWED
 out vec4 shadowed;
@@ -135,6 +140,11 @@ void main()
     gl_Position = viewProjection * vec4(world, 1.0);
 #ifdef HAZY
     hazed = hazeAt(world);
+#endif
+#ifdef AOV
+    aovWorld = world;
+    aovFacing = n;
+    aovRow = float(row);
 #endif
 
 #if defined(CASTER) && !defined(CUTOUT)

@@ -9,7 +9,9 @@ uniform vec3 groundBase; // unlit
 in vec4 shadowed;
 #endif
 uniform float fadeDistance;
+#ifndef AOV
 out vec4 fragment;
+#endif
 
 #ifdef GRID
 // Coverage of lines `spacing` metres apart, about one pixel wide, gone where they would flicker.
@@ -25,6 +27,9 @@ float lines(vec2 metres, float spacing)
 
 void main()
 {
+#ifdef AOV
+    writeAovs(vec3(center.x + place.x, 0.0, center.y + place.y), kAovThing, vec3(0.0, gl_FrontFacing ? 1.0 : -1.0, 0.0));
+#else
     vec3 result = groundColor;
 #ifdef SHADOWED
     result *= shadowedLight(shadowed, sunHidden(shadowed));
@@ -44,4 +49,5 @@ void main()
 #endif
     float far = clamp(length(place) / fadeDistance, 0.0, 1.0);
     fragment = vec4(toned(mix(result, horizon, far * far * (3.0 - 2.0 * far))), 1.0);
+#endif
 }

@@ -8,10 +8,10 @@ in float hazed;
 #ifdef SHADOWED
 in vec4 shadowed;
 #endif
-#if defined(LIGHTS) || defined(LOW_HAZE) || defined(HIGHLIGHTS) || defined(RELIEF)
+#if defined(LIGHTS) || defined(LOW_HAZE) || defined(HIGHLIGHTS) || defined(RELIEF) || defined(AOV)
 in vec3 worldPlace;
 #endif
-#if defined(LIGHTS) || defined(HIGHLIGHTS) || defined(RELIEF)
+#if defined(LIGHTS) || defined(HIGHLIGHTS) || defined(RELIEF) || defined(AOV)
 in vec3 surface;
 in vec3 worldNormal;
 #endif
@@ -58,7 +58,9 @@ vec3 relieved(vec3 n)
     return normalize(alongU * own.x - alongV * own.y + n * max(own.z, 0.0) + n * 1e-4);
 }
 #endif
+#ifndef AOV
 out vec4 fragment;
+#endif
 
 void main()
 {
@@ -69,7 +71,7 @@ void main()
 #ifdef CARTOON
     float share = level;
 #endif
-#if defined(LIGHTS) || defined(HIGHLIGHTS) || defined(RELIEF)
+#if defined(LIGHTS) || defined(HIGHLIGHTS) || defined(RELIEF) || defined(AOV)
     vec3 n = normalize(worldNormal);
 #endif
 #ifdef RELIEF
@@ -146,5 +148,9 @@ void main()
 #ifndef BLENDED
     result.a = 1.0;
 #endif
+#ifdef AOV
+    writeAovs(worldPlace, kAovThing, n);
+#else
     fragment = result;
+#endif
 }

@@ -26,10 +26,10 @@ out vec4 color;
 #ifdef SHADOWED
 out vec4 shadowed;
 #endif
-#if defined(LIGHTS) || defined(LOW_HAZE) || defined(HIGHLIGHTS) || defined(RELIEF)
+#if defined(LIGHTS) || defined(LOW_HAZE) || defined(HIGHLIGHTS) || defined(RELIEF) || defined(AOV)
 out vec3 worldPlace;
 #endif
-#if defined(LIGHTS) || defined(HIGHLIGHTS) || defined(RELIEF)
+#if defined(LIGHTS) || defined(HIGHLIGHTS) || defined(RELIEF) || defined(AOV)
 out vec3 surface; // unlit
 out vec3 worldNormal;
 #endif
@@ -69,10 +69,10 @@ void main()
 #ifdef SHADOWED
     shadowed = shadowedOf(world.xyz, n, own, vec3(0.0));
 #endif
-#if defined(LIGHTS) || defined(LOW_HAZE) || defined(HIGHLIGHTS) || defined(RELIEF)
+#if defined(LIGHTS) || defined(LOW_HAZE) || defined(HIGHLIGHTS) || defined(RELIEF) || defined(AOV)
     worldPlace = world.xyz;
 #endif
-#if defined(LIGHTS) || defined(HIGHLIGHTS) || defined(RELIEF)
+#if defined(LIGHTS) || defined(HIGHLIGHTS) || defined(RELIEF) || defined(AOV)
     surface = base.rgb * (1.0 - own);
     worldNormal = n;
 #endif

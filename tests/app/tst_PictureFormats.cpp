@@ -33,6 +33,9 @@ void TestPictureFormats::everyFormatIsWrittenAndReadBack()
         QVERIFY(crowd::app::pictureFormatOf(path.toUpper()) != nullptr);
         const auto written = crowd::app::writePicture(path, pixels, {64, 32});
         QVERIFY2(written, written ? "" : written.error().message.c_str());
+        if (ending == QLatin1String(".exr")) {
+            continue; // which Qt does not read: see tst_PicturePasses
+        }
         const QImage read(path);
         QCOMPARE(read.size(), QSize(64, 32));
         const QColor color = read.pixelColor(30, 20);

@@ -28,6 +28,7 @@ private Q_SLOTS:
     void savesTheViewInAnySize();
     void leavesOutWhatIsBehind();
     void drawsDepthOfField();
+    void savesPassesForCompositing();
     void saysWhatCannotBe();
 
 private:
@@ -82,6 +83,36 @@ void TestSavePicture::leavesOutWhatIsBehind()
     }
     QCOMPARE(qAlpha(picture.pixel(0, 0)), 0);
     QVERIFY2(solid > 20 && solid < 320 * 240 / 2, qPrintable(QString::number(solid)));
+}
+
+void TestSavePicture::savesPassesForCompositing()
+{
+    openScene(plainScene(3), QStringLiteral("scene.crowd"));
+    const auto tick = [](bool isOn) {
+        return [isOn](QDialog& dialog) {
+            for (const char* key : {"depth", "id"}) {
+                auto* box = dialog.findChild<QCheckBox*>(QLatin1String("picturePass.") +
+                                                         QLatin1String(key));
+                QVERIFY(box != nullptr);
+                QCOMPARE(box->isChecked(), !isOn); // as it was left
+                box->setChecked(isOn);
+            }
+        };
+    };
+    m_onDialog = tick(true);
+    const QString path = pathOf(QStringLiteral("layers.exr"));
+    QVERIFY(save(path, {80, 60}, false));
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->isFree(), kPatienceMs);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray bytes = file.readAll();
+    QVERIFY(bytes.contains("depth.Z") && bytes.contains("id.X") && !bytes.contains("normal.X"));
+
+    m_onDialog = tick(false); // they were remembered
+    QVERIFY(save(pathOf(QStringLiteral("plain.png")), {80, 60}, false));
+    m_onDialog = nullptr;
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->isFree(), kPatienceMs);
+    QCOMPARE(QImage(pathOf(QStringLiteral("plain.png"))).size(), QSize(80, 60));
 }
 
 /// Focus on who is selected is offered, and what is chosen is what is drawn.

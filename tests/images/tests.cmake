@@ -1,6 +1,7 @@
-crowd_add_tests(ROOM images LINK crowd_app TESTS
+crowd_add_tests(ROOM images LINK crowd_app OpenEXR::OpenEXR TESTS
     tst_LensWish
     tst_LookWish
     tst_MovieFile
+    tst_PicturePasses
     tst_Pictures
 )

@@ -1,5 +1,6 @@
 crowd_add_tests(ROOM render LINK crowd_render nlohmann_json::nlohmann_json TESTS
     tst_AirAndTone
+    tst_Aovs
     tst_Cartoon
     tst_CrowdPlan
     tst_DrawnFiles

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "app/pictures/ExrFile.h"
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <exception>
+#include <list>
+#include <utility>
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfMultiPartOutputFile.h>
+#include <OpenEXR/ImfOutputPart.h>
+#include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
+
+#include "model/base/Color.h"
+
+namespace crowd::app {
+
+namespace {
+
+/// A file in memory: it goes to the disk as a whole.
+class MemoryStream : public Imf::OStream
+{
+public:
+    MemoryStream() : Imf::OStream("picture") {}
+
+    void write(const char bytes[], int count) override
+    {
+        const qsizetype end = m_place + count;
+        if (m_bytes.size() < end) {
+            m_bytes.resize(end);
+        }
+        std::memcpy(m_bytes.data() + m_place, bytes, static_cast<std::size_t>(count));
+        m_place = end;
+    }
+    uint64_t tellp() override { return static_cast<uint64_t>(m_place); }
+    void seekp(uint64_t place) override { m_place = static_cast<qsizetype>(place); }
+    [[nodiscard]] QByteArray bytes() const { return m_bytes; }
+
+private:
+    QByteArray m_bytes;
+    qsizetype m_place = 0;
+};
+
+Imf::PixelType typeOf(const ExrChannel& channel)
+{
+    if (!std::holds_alternative<std::vector<float>>(channel.values)) {
+        return Imf::UINT;
+    }
+    return channel.isHalf ? Imf::HALF : Imf::FLOAT;
+}
+
+/// Its vectors are of rows, ours of columns: in memory they are the same.
+Imath::M44f transposed(const glm::mat4& matrix)
+{
+    Imath::M44f other;
+    std::memcpy(other.getValue(), &matrix[0][0], sizeof(float) * 16);
+    return other;
+}
+
+Imf::Header headerOf(const ExrHeader& common, const ExrLayer& layer)
+{
+    Imf::Header header(common.size.x, common.size.y);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    header.setName(layer.name);
+    header.setType(Imf::SCANLINEIMAGE);
+    for (const ExrChannel& channel : layer.channels) {
+        header.channels().insert(channel.name, Imf::Channel(typeOf(channel)));
+    }
+    Imf::addWorldToCamera(header, transposed(common.cameraFromWorld));
+    Imf::addWorldToNDC(header, transposed(common.screenFromWorld));
+    if (!common.templates.empty()) {
+        header.insert("crowdbrush.templates", Imf::StringAttribute(common.templates));
+    }
+    return header;
+}
+
+/// The channels of a layer as the library reads them, which writes to nothing.
+class LayerBuffer
+{
+public:
+    LayerBuffer(const ExrLayer& layer, glm::ivec2 size)
+    {
+        for (const ExrChannel& channel : layer.channels) {
+            add(channel, static_cast<std::size_t>(size.x));
+        }
+    }
+    [[nodiscard]] const Imf::FrameBuffer& buffer() const { return m_buffer; }
+
+private:
+    void add(const ExrChannel& channel, std::size_t width)
+    {
+        if (const auto* ids = std::get_if<std::vector<std::uint32_t>>(&channel.values)) {
+            insert(channel, *ids, width);
+            return;
+        }
+        const auto& values = std::get<std::vector<float>>(channel.values);
+        if (!channel.isHalf) {
+            insert(channel, values, width);
+            return;
+        }
+        std::vector<Imath::half>& halves = m_halves.emplace_back();
+        halves.reserve(values.size());
+        for (const float value : values) {
+            halves.emplace_back(value);
+        }
+        insert(channel, halves, width);
+    }
+    template<class T>
+    void insert(const ExrChannel& channel, const std::vector<T>& values, std::size_t width)
+    {
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): what is written is only read
+        char* base = const_cast<char*>(reinterpret_cast<const char*>(values.data()));
+        m_buffer.insert(channel.name,
+                        Imf::Slice(typeOf(channel), base, sizeof(T), sizeof(T) * width));
+    }
+
+    std::list<std::vector<Imath::half>> m_halves; ///< the buffer points into them
+    Imf::FrameBuffer m_buffer;
+};
+
+QByteArray exrBytes(const ExrHeader& header, std::span<const ExrLayer> layers)
+{
+    std::vector<Imf::Header> headers;
+    headers.reserve(layers.size());
+    for (const ExrLayer& layer : layers) {
+        headers.push_back(headerOf(header, layer));
+    }
+    MemoryStream stream;
+    {
+        Imf::MultiPartOutputFile file(stream, headers.data(), static_cast<int>(headers.size()));
+        for (std::size_t i = 0; i < layers.size(); ++i) {
+            const LayerBuffer pixels(layers[i], header.size);
+            Imf::OutputPart part(file, static_cast<int>(i));
+            part.setFrameBuffer(pixels.buffer());
+            part.writePixels(header.size.y);
+        }
+    } // it completes its tables as it goes
+    return stream.bytes();
+}
+
+} // namespace
+
+ExrLayer colourLayer(std::span<const std::uint8_t> rgba, bool isTransparent)
+{
+    constexpr std::array kNames{"R", "G", "B", "A"};
+    constexpr float kMost = 255.0F;
+    std::array<float, 256> linear{};
+    for (std::size_t i = 0; i < linear.size(); ++i) {
+        linear[i] = model::linearFromSrgb(static_cast<float>(i) / kMost);
+    }
+    ExrLayer layer{"rgba", {}};
+    for (std::size_t channel = 0; channel < kNames.size(); ++channel) {
+        std::vector<float> values;
+        values.reserve(rgba.size() / kNames.size());
+        for (std::size_t i = channel; i < rgba.size(); i += kNames.size()) {
+            const bool isAlpha = channel == 3;
+            values.push_back(!isAlpha        ? linear[rgba[i]]
+                             : isTransparent ? static_cast<float>(rgba[i]) / kMost
+                                             : 1.0F);
+        }
+        layer.channels.push_back({kNames[channel], std::move(values), true});
+    }
+    return layer;
+}
+
+model::Result<QByteArray> encodeExr(const ExrHeader& header, std::span<const ExrLayer> layers)
+{
+    try {
+        return exrBytes(header, layers);
+    } catch (const std::exception& error) { // the library says so what it cannot do
+        return model::Error{std::string(error.what())};
+    }
+}
+
+} // namespace crowd::app

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <QtCore/QByteArray>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+
+#include "model/base/Result.h"
+
+namespace crowd::app {
+
+/// One number a pixel, rows from the top.
+struct ExrChannel
+{
+    std::string name; ///< with the layer's: "normal.X"; colours are R, G, B, A
+    std::variant<std::vector<float>, std::vector<std::uint32_t>> values;
+    bool isHalf = false; ///< in the file, where they are floats
+};
+
+/// Channels that are read together: a part of the file.
+struct ExrLayer
+{
+    std::string name;
+    std::vector<ExrChannel> channels;
+};
+
+/// What the header says beside the layers.
+struct ExrHeader
+{
+    glm::ivec2 size{0};
+    glm::mat4 cameraFromWorld{1.0F};
+    glm::mat4 screenFromWorld{1.0F};
+    std::string templates; ///< what the numbers of templates are, as JSON; empty: left away
+};
+
+/// Linear red, green, blue and alpha, of RGBA8, sRGB, colours times alpha where it is transparent;
+/// elsewhere its alpha says nothing.
+[[nodiscard]] ExrLayer colourLayer(std::span<const std::uint8_t> rgba, bool isTransparent);
+
+/// The bytes of an OpenEXR file of scan lines: of one part where there is one layer, else of
+/// several of the same size. The message says only why there are none.
+[[nodiscard]] model::Result<QByteArray> encodeExr(const ExrHeader& header,
+                                                  std::span<const ExrLayer> layers);
+
+} // namespace crowd::app

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/pictures/ExrFile.h"
+#include "model/base/Result.h"
+#include "model/scene/CrowdFrame.h"
+#include "model/view/View.h"
+#include "render/AovPicture.h"
+
+namespace crowd::app {
+
+/// What the layers of a picture are made from.
+struct PassSource
+{
+    const std::vector<std::uint8_t>& colours; ///< RGBA8, sRGB, rows from the top
+    bool isTransparent = false;
+    const render::AovPicture& aovs; ///< empty where no pass needs it
+    const model::CrowdFrame& frame;
+    const model::Camera& camera;
+};
+
+/// A pass of a picture: a layer of an OpenEXR file, or numbers for a script. The command line, the
+/// window, scripts and their messages follow from the table.
+struct PicturePass
+{
+    std::string_view key;
+    const char* label;
+    const char* doc; ///< what its numbers are
+    bool needsAovs;
+    ExrLayer (*layer)(const PassSource& source);
+};
+
+using PicturePasses = std::vector<const PicturePass*>;
+
+/// Colours first.
+[[nodiscard]] std::span<const PicturePass> picturePasses();
+/// "colour, depth, normal".
+[[nodiscard]] std::string passKeys();
+/// Of keys with commas between them, each once, in the table's order. An error names what there is.
+[[nodiscard]] model::Result<PicturePasses> passesOf(std::string_view keys);
+[[nodiscard]] bool needAovs(const PicturePasses& passes);
+
+/// What somebody who opens the file needs to know besides.
+[[nodiscard]] ExrHeader exrHeaderOf(const model::Camera& camera, glm::ivec2 size,
+                                    const model::CrowdFrame& frame);
+[[nodiscard]] std::vector<ExrLayer> layersOf(const PicturePasses& passes, const PassSource& source);
+
+} // namespace crowd::app

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include <OpenEXR/ImfStringAttribute.h>
+
+#include <QtCore/QFile>
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QTest>
+
+#include "app/pictures/PictureFile.h"
+#include "app/pictures/PictureMaker.h"
+#include "app/pictures/PicturePasses.h"
+#include "model/scene/Scene.h"
+#include "tests/images/ExrReading.h"
+#include "tests/program/Test.h"
+#include "tests/render/TestScene.h"
+
+using namespace crowd;
+using namespace crowd::testing;
+
+/// Layers of pictures, as other programs find them in the file.
+class TestPicturePasses : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theyAreFoundByName();
+    void coloursAreLinear();
+    void theFileTellsWhoIsWhere();
+    void twoRunsAreTheSame();
+    void whatCannotBeWrittenIsSaid();
+
+private:
+    QTemporaryDir m_folder;
+};
+
+void TestPicturePasses::theyAreFoundByName()
+{
+    const auto passes = app::passesOf("id,depth,colour,depth");
+    QVERIFY(passes.isOk());
+    QCOMPARE(passes.value().size(), std::size_t{3});
+    QCOMPARE(passes.value()[0]->key, std::string_view("colour"));
+    QCOMPARE(passes.value()[2]->key, std::string_view("id"));
+    QVERIFY(app::passesOf("").isOk() && app::passesOf("").value().empty());
+    for (const char* wrong : {"depths", "depth,", ",depth", "depth,,id", " depth", ","}) {
+        const auto refused = app::passesOf(wrong);
+        QVERIFY2(!refused.isOk(), wrong);
+        QVERIFY2(refused.error().message.find("colour, depth, normal") != std::string::npos, wrong);
+    }
+}
+
+void TestPicturePasses::coloursAreLinear()
+{
+    const QString path = m_folder.filePath(QStringLiteral("colours.exr"));
+    const std::vector<std::uint8_t> pixels{255, 188, 0, 7, 10, 20, 30, 128};
+    QVERIFY(app::writePicture(path, pixels, {2, 1}, false).isOk());
+    QCOMPARE(exrParts(path).size(), std::size_t{1});
+    QCOMPARE(exrParts(path)[0], std::string("rgba: A B G R"));
+    const auto red = exrValues<float>(path, 0, "R", 2, 1, Imf::FLOAT);
+    const auto green = exrValues<float>(path, 0, "G", 2, 1, Imf::FLOAT);
+    QCOMPARE(red[0], 1.0F);
+    QVERIFY2(std::abs(green[0] - 0.5029F) < 0.001F, qPrintable(QString::number(green[0])));
+    QCOMPARE(exrValues<float>(path, 0, "A", 2, 1, Imf::FLOAT)[0], 1.0F); // it says nothing
+    QVERIFY(app::writePicture(path, pixels, {2, 1}, true).isOk());
+    QVERIFY(std::abs(exrValues<float>(path, 0, "A", 2, 1, Imf::FLOAT)[1] - 0.502F) < 0.001F);
+}
+
+namespace {
+
+constexpr int kSide = 64;
+
+/// Ids far beyond what a half or a float has, in front of the camera.
+app::PictureRequest tallIds()
+{
+    constexpr model::IndividualId kFirst = 16'777'217;
+    model::IndividualRows rows = model::IndividualRows::withDefaults({kFirst});
+    rows.column(model::columns::templateId)[0] = 1;
+    rows.column(model::columns::height)[0] = 1.0F;
+    rows.column(model::columns::girth)[0] = 1.0F;
+    rows.column(model::columns::parts)[0] = 1;
+    model::Population people;
+    people.add(rows);
+    app::PictureRequest request;
+    request.frame = frameOf(people, {entryFor(makeBoxMan())});
+    request.camera = model::Camera::lookingAt({0, 0.9F, 5.2F}, {0, 0.9F, 0});
+    request.size = {kSide, kSide};
+    return request;
+}
+
+} // namespace
+
+void TestPicturePasses::theFileTellsWhoIsWhere()
+{
+    const QString path = m_folder.filePath(QStringLiteral("passes.exr"));
+    model::KeyframeStore keyframes;
+    auto maker = app::PictureMaker::create(keyframes);
+    QVERIFY(maker.isOk());
+    const app::PictureRequest request = tallIds();
+    QVERIFY(maker.value()->draw(request).isOk());
+    const auto passes = app::passesOf("colour,depth,normal,position,id,template");
+    QVERIFY(passes.isOk());
+    QCOMPARE(passes.value().size(), app::picturePasses().size());
+    const auto saved = maker.value()->save(path, request, passes.value());
+    QVERIFY2(saved.isOk(), saved ? "" : saved.error().message.c_str());
+    const std::vector<std::string> parts{"rgba: A B G R",
+                                         "depth: depth.Z",
+                                         "normal: normal.X normal.Y normal.Z",
+                                         "position: position.X position.Y position.Z",
+                                         "id: id.X",
+                                         "template: template.X"};
+    QVERIFY(exrParts(path) == parts);
+    const auto number = [&](int part, const char* channel, std::size_t pixel) {
+        return exrValues<float>(path, part, channel, kSide, kSide, Imf::FLOAT)[pixel];
+    };
+    const std::size_t middle = kSide / 2 * kSide + kSide / 2;
+    QCOMPARE(exrValues<std::uint32_t>(path, 4, "id.X", kSide, kSide, Imf::UINT)[middle],
+             16'777'217U);
+    QCOMPARE(exrValues<std::uint32_t>(path, 4, "id.X", kSide, kSide, Imf::UINT)[0], 0U);
+    QCOMPARE(exrValues<std::uint32_t>(path, 5, "template.X", kSide, kSide, Imf::UINT)[middle], 1U);
+    QVERIFY(std::abs(number(1, "depth.Z", middle) - 5.0F) < 0.01F);
+    QVERIFY(number(1, "depth.Z", 0) > 1e9F); // the sky
+    QVERIFY(std::abs(number(3, "position.Z", middle) - 0.2F) < 0.01F);
+    QVERIFY(number(2, "normal.Z", middle) > 0.98F);
+    const Imf::MultiPartInputFile file(qPrintable(path));
+    const auto* names =
+        file.header(4).findTypedAttribute<Imf::StringAttribute>("crowdbrush.templates");
+    QVERIFY(names != nullptr);
+    QVERIFY(names->value() == "{\"1\":\"box man\"}");
+}
+
+void TestPicturePasses::twoRunsAreTheSame()
+{
+    QByteArray before;
+    for (int run = 0; run < 2; ++run) {
+        const QString path = m_folder.filePath(QStringLiteral("run%1.exr").arg(run));
+        model::KeyframeStore keyframes;
+        auto maker = app::PictureMaker::create(keyframes);
+        QVERIFY(maker.isOk());
+        const app::PictureRequest request = tallIds();
+        QVERIFY(maker.value()->draw(request).isOk());
+        const auto passes = app::passesOf("colour,depth,id");
+        QVERIFY(maker.value()->save(path, request, passes.value()).isOk());
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray bytes = file.readAll();
+        QVERIFY(run == 0 || bytes == before);
+        before = bytes;
+    }
+}
+
+void TestPicturePasses::whatCannotBeWrittenIsSaid()
+{
+    const std::vector<std::uint8_t> pixels(4, 255);
+    const auto lost =
+        app::writePicture(m_folder.filePath(QStringLiteral("no/a.exr")), pixels, {1, 1});
+    QVERIFY(!lost.isOk());
+    QVERIFY(lost.error().message.find("a.exr cannot be written") != std::string::npos);
+    const auto empty = app::encodeExr({}, {});
+    QVERIFY(!empty.isOk() && !empty.error().message.empty());
+}
+
+CROWD_TEST(TestPicturePasses)
+#include "tst_PicturePasses.moc"

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+"""Pictures in numbers, for scripts."""
+import os
+import tempfile
+import unittest
+
+import numpy as np
+
+import crowdbrush
+
+
+class Passes(unittest.TestCase):
+    def setUp(self):
+        self.scene = crowdbrush.open("builtin:scenes/theatre.crowd")
+
+    def test_are_arrays(self):
+        passes = self.scene.render_passes(
+            64, 36, ["template", "colour", "depth", "normal", "position", "id"], camera="Audience", time=1.0)
+        self.assertEqual(set(passes), {"colour", "depth", "normal", "position", "id", "template"})
+        self.assertEqual(passes["colour"].shape, (36, 64, 4))
+        self.assertEqual(passes["normal"].shape, (36, 64, 3))
+        self.assertEqual(passes["depth"].shape, (36, 64))
+        self.assertEqual((passes["depth"].dtype, passes["id"].dtype), (np.float32, np.uint32))
+
+    def test_agree_with_the_scene(self):
+        passes = self.scene.render_passes(160, 90, ["id", "template", "position", "depth"], camera="Audience")
+        ids = passes["id"]
+        self.assertGreater((ids > 0).sum(), 500)
+        where = dict(zip(self.scene.ids.tolist(), self.scene.column("position")))
+        kinds = dict(zip(self.scene.ids.tolist(), self.scene.column("template")))
+        for y, x in np.argwhere(ids > 0)[::50]:
+            person = int(ids[y, x])
+            self.assertEqual(passes["template"][y, x], kinds[person])
+            self.assertLess(np.linalg.norm(passes["position"][y, x] - where[person]), 2.5)
+        self.assertTrue((passes["depth"] > 0).all())
+
+    def test_are_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "a.exr")
+            self.scene.render_passes(32, 18, ["depth", "id"], path=path)
+            with open(path, "rb") as file:
+                content = file.read()
+            self.assertEqual(content[:4], b"\x76\x2f\x31\x01")
+            self.assertIn(b"depth.Z", content)
+            with self.assertRaises(crowdbrush.Error) as said:
+                self.scene.render_passes(32, 18, ["id"], path=os.path.join(folder, "no", "a.exr"))
+            self.assertIn("a.exr", str(said.exception))
+
+    def test_refuse_what_is_none(self):
+        for wrong in ([], ["smell"], ["depth", ""], ["depth,id,"]):
+            with self.assertRaises(crowdbrush.Error) as said:
+                self.scene.render_passes(8, 8, wrong)
+            self.assertIn("colour, depth", str(said.exception))
+        for size in ((0, 8), (8, -1), (20_000, 8)):
+            with self.assertRaises(crowdbrush.Error):
+                self.scene.render_passes(*size, ["depth"])

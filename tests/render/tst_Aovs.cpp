@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <QtTest/QTest>
+
+#include "tests/program/Test.h"
+#include "tests/render/PictureBench.h"
+#include "tests/render/TestScene.h"
+
+using namespace crowd;
+using namespace crowd::testing;
+using render::AovPicture;
+
+/// What pictures show besides colours.
+class TestAovs : public PictureBench
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { open(); }
+    void cleanupTestCase() { m_renderer->destroy(); }
+    void everyPixelKnowsWhatItShows();
+    void whatIsHiddenIsNotThere();
+    void nothingIsBehindATransparentPicture();
+    void theColoursStay();
+    void itIsOfAnySize();
+
+private:
+    [[nodiscard]] render::RenderInput twoMen();
+    [[nodiscard]] AovPicture aovs(const render::RenderInput& input);
+};
+
+/// At 0 and 1 m along X, from above.
+render::RenderInput TestAovs::twoMen()
+{
+    render::RenderInput input(above(), *m_keyframes);
+    input.frame = frameOf(makeRow(2), {entryFor(m_man)});
+    input.samples = 0;
+    return input;
+}
+
+AovPicture TestAovs::aovs(const render::RenderInput& input)
+{
+    draw(input); // keyframes
+    auto drawn = m_renderer->drawAovs(input);
+    return drawn ? std::move(drawn).value() : AovPicture();
+}
+
+namespace {
+
+/// Where something stands in a picture from above.
+std::size_t pixelAt(float x, float z)
+{
+    const float half = static_cast<float>(kPixels) / 2.0F;
+    const auto column = static_cast<std::size_t>(half + x * kPerMetre);
+    const auto line = static_cast<std::size_t>(half + z * kPerMetre);
+    return line * static_cast<std::size_t>(kPixels) + column;
+}
+
+} // namespace
+
+void TestAovs::everyPixelKnowsWhatItShows()
+{
+    const AovPicture picture = aovs(twoMen());
+    QCOMPARE(picture.size, glm::ivec2(kPixels));
+    QCOMPARE(picture.rows.size(), static_cast<std::size_t>(kPixels * kPixels));
+    const std::array<std::pair<glm::vec2, int>, 3> places{
+        {{{0.1F, 0.1F}, 0}, {{1.1F, 0.1F}, 1}, {{-2.0F, -3.0F}, AovPicture::kThing}}};
+    for (const auto& [place, row] : places) {
+        const std::size_t pixel = pixelAt(place.x, place.y);
+        QCOMPARE(picture.rows[pixel], row);
+        const glm::vec3 seen = picture.places[pixel];
+        const float height = row >= 0 ? 1.8F : 0.0F; // hats, and the ground
+        QVERIFY2(std::abs(seen.x - place.x) < 0.07F && std::abs(seen.z - place.y) < 0.07F &&
+                     std::abs(seen.y - height) < 0.01F,
+                 qPrintable(QStringLiteral("%1 %2 %3").arg(seen.x).arg(seen.y).arg(seen.z)));
+        QVERIFY(glm::dot(picture.normals[pixel], glm::vec3(0, 1, 0)) > 0.98F);
+    }
+}
+
+/// A roof over the first of them; from below it is seen from its other side.
+void TestAovs::whatIsHiddenIsNotThere()
+{
+    model::StageEntry roof;
+    auto sheet = makeSheet({{{-0.6F, 3, 1}, {0.6F, 3, 1}, {0.6F, 3, -1}, {-0.6F, 3, -1}}});
+    sheet->materials[0].doubleSided = true;
+    roof.asset = sheet;
+    const std::array stages{std::move(roof)};
+    render::RenderInput input = twoMen();
+    input.stages = stages;
+    AovPicture picture = aovs(input);
+    QCOMPARE(picture.rows[pixelAt(0.1F, 0.1F)], AovPicture::kThing);
+    QVERIFY(std::abs(picture.places[pixelAt(0.1F, 0.1F)].y - 3.0F) < 1e-3F);
+    QCOMPARE(picture.rows[pixelAt(1.1F, 0.1F)], 1);
+
+    model::Camera below = model::Camera::lookingAt({0, 2.5F, 0}, {0, 10, 0});
+    below.projection = model::Projection::Orthographic;
+    below.orthographicHeight = 1.0F;
+    input.frame = nullptr; // such a camera sees what is behind it, too
+    input.showGround = false;
+    input.view = model::View(below, glm::vec2(kPixels));
+    picture = aovs(input);
+    QCOMPARE(picture.rows[pixelAt(0, 0)], AovPicture::kThing);
+    QVERIFY(picture.normals[pixelAt(0, 0)].y < -0.98F);
+}
+
+void TestAovs::nothingIsBehindATransparentPicture()
+{
+    render::RenderInput input = twoMen();
+    input.isTransparent = true;
+    const AovPicture picture = aovs(input);
+    QCOMPARE(picture.rows[pixelAt(-2, -3)], AovPicture::kNothing);
+    QCOMPARE(picture.places[pixelAt(-2, -3)], glm::vec3(0.0F));
+    QCOMPARE(picture.normals[pixelAt(-2, -3)], glm::vec3(0.0F));
+    QCOMPARE(picture.rows[pixelAt(0.1F, 0.1F)], 0);
+}
+
+void TestAovs::theColoursStay()
+{
+    const render::RenderInput input = twoMen();
+    draw(input);
+    const auto before = m_pixels;
+    QVERIFY(m_renderer->drawAovs(input).isOk());
+    QVERIFY(m_renderer->readPixels() == before);
+    draw(input);
+    QVERIFY(m_pixels == before);
+}
+
+void TestAovs::itIsOfAnySize()
+{
+    render::RenderInput input = twoMen();
+    for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(3, 200)}) {
+        input.pixelSize = size;
+        const AovPicture picture = aovs(input);
+        QCOMPARE(picture.size, size);
+        QCOMPARE(picture.normals.size(), static_cast<std::size_t>(size.x * size.y));
+    }
+    input.frame = nullptr;
+    QCOMPARE(aovs(input).rows[0], AovPicture::kThing);
+}
+
+CROWD_TEST(TestAovs)
+#include "tst_Aovs.moc"
