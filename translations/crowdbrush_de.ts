@@ -5690,6 +5690,10 @@
         <source>Template</source>
         <translation>Vorlage</translation>
     </message>
+    <message>
+        <source>Cryptomatte</source>
+        <translation>Cryptomatte</translation>
+    </message>
 </context>
 <context>
     <name>PlaceHandles</name>

@@ -5690,6 +5690,10 @@
         <source>Template</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Cryptomatte</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PlaceHandles</name>

@@ -75,8 +75,8 @@ Imf::Header headerOf(const ExrHeader& common, const ExrLayer& layer)
     }
     Imf::addWorldToCamera(header, transposed(common.cameraFromWorld));
     Imf::addWorldToNDC(header, transposed(common.screenFromWorld));
-    if (!common.templates.empty()) {
-        header.insert("crowdbrush.templates", Imf::StringAttribute(common.templates));
+    for (const auto& [name, text] : common.notes) {
+        header.insert(name, Imf::StringAttribute(text));
     }
     return header;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <variant>
@@ -36,7 +37,7 @@ struct ExrHeader
     glm::ivec2 size{0};
     glm::mat4 cameraFromWorld{1.0F};
     glm::mat4 screenFromWorld{1.0F};
-    std::string templates; ///< what the numbers of templates are, as JSON; empty: left away
+    std::map<std::string, std::string> notes; ///< text by the name of its attribute
 };
 
 /// Linear red, green, blue and alpha, of RGBA8, sRGB, colours times alpha where it is transparent;

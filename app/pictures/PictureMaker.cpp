@@ -40,6 +40,11 @@ model::Error contextLost()
                               "again.")};
 }
 
+model::Error stopped()
+{
+    return {QT_TRANSLATE_NOOP("Messages", "The picture was stopped.")};
+}
+
 } // namespace
 
 model::Result<std::unique_ptr<PictureMaker>> PictureMaker::create(model::KeyframeStore& keyframes)
@@ -84,34 +89,71 @@ model::Result<void> PictureMaker::draw(const PictureRequest& request,
     return drawn && input.lens ? ripen(input, keepGoing) : drawn;
 }
 
+model::Result<render::AovPicture> PictureMaker::aovs(const PictureRequest& request,
+                                                     const PicturePasses& passes)
+{
+    if (!needAny(passes, PassNeed::Aovs)) {
+        return render::AovPicture();
+    }
+    return m_renderer.drawAovs(inputOf(request, m_keyframes));
+}
+
+model::Result<Coverage> PictureMaker::coverage(const PictureRequest& request,
+                                               const PicturePasses& passes,
+                                               const model::KeepGoing& keepGoing)
+{
+    Coverage coverage;
+    if (!needAny(passes, PassNeed::Coverage)) {
+        return coverage;
+    }
+    render::RenderInput input = inputOf(request, m_keyframes);
+    input.lens.reset();
+    for (int n = 0; n < kCoverageSamples; ++n) {
+        if (keepGoing && !keepGoing(static_cast<float>(n) / kCoverageSamples)) {
+            return stopped();
+        }
+        input.ripeness = n;
+        const auto sample = m_renderer.drawAovs(input);
+        if (!sample) {
+            return sample.error();
+        }
+        coverage.add(sample.value());
+    }
+    return coverage;
+}
+
 model::Result<std::vector<ExrLayer>> PictureMaker::layers(const PictureRequest& request,
-                                                          const PicturePasses& passes)
+                                                          const PicturePasses& passes,
+                                                          const model::KeepGoing& keepGoing)
 {
     if (!m_context->makeCurrent()) {
         return contextLost();
     }
-    model::Result<render::AovPicture> aovs{render::AovPicture()};
-    if (needAovs(passes)) {
-        aovs = m_renderer.drawAovs(inputOf(request, m_keyframes));
+    const auto shown = aovs(request, passes);
+    if (!shown) {
+        return shown.error();
     }
-    if (!aovs) {
-        return aovs.error();
+    const auto covered = coverage(request, passes, keepGoing);
+    if (!covered) {
+        return covered.error();
     }
-    return layersOf(
-        passes, {pixels(), request.isTransparent, aovs.value(), *request.frame, request.camera});
+    return layersOf(passes, {pixels(), request.isTransparent, shown.value(), covered.value(),
+                             *request.frame, request.camera});
 }
 
 model::Result<void> PictureMaker::save(const QString& path, const PictureRequest& request,
-                                       const PicturePasses& passes)
+                                       const PicturePasses& passes,
+                                       const model::KeepGoing& keepGoing)
 {
     if (passes.empty()) {
         return writePicture(path, pixels(), size(), request.isTransparent);
     }
-    const auto made = layers(request, passes);
+    const auto made = layers(request, passes, keepGoing);
     if (!made) {
         return made.error();
     }
-    return writeLayers(path, exrHeaderOf(request.camera, size(), *request.frame), made.value());
+    return writeLayers(path, exrHeaderOf(passes, request.camera, size(), *request.frame),
+                       made.value());
 }
 
 /// The mean of pictures through all of the lens.
@@ -122,7 +164,7 @@ model::Result<void> PictureMaker::ripen(render::RenderInput input,
     model::Result<void> drawn;
     for (int n = 0; n < kPlacesOfLens && drawn; ++n) {
         if (keepGoing && !keepGoing(static_cast<float>(n) / kPlacesOfLens)) {
-            return model::Error{QT_TRANSLATE_NOOP("Messages", "The picture was stopped.")};
+            return stopped();
         }
         input.ripeness = n;
         drawn = m_renderer.draw(input);

@@ -53,12 +53,14 @@ public:
     [[nodiscard]] model::Result<void> draw(const PictureRequest& request,
                                            const model::KeepGoing& keepGoing = {});
     /// Layers of the picture of a request that has just been drawn.
-    [[nodiscard]] model::Result<std::vector<ExrLayer>> layers(const PictureRequest& request,
-                                                              const PicturePasses& passes);
+    [[nodiscard]] model::Result<std::vector<ExrLayer>>
+    layers(const PictureRequest& request, const PicturePasses& passes,
+           const model::KeepGoing& keepGoing = {});
     /// Writes the picture of a request that has just been drawn to a file, whole or not at all:
     /// with passes as OpenEXR of as many layers, without as its ending says.
     [[nodiscard]] model::Result<void> save(const QString& path, const PictureRequest& request,
-                                           const PicturePasses& passes);
+                                           const PicturePasses& passes,
+                                           const model::KeepGoing& keepGoing = {});
     /// The last picture: RGBA8, sRGB, rows from the top.
     [[nodiscard]] std::vector<std::uint8_t> pixels() const { return m_renderer.readPixels(); }
     /// Until the next picture the context belongs to no thread.
@@ -71,6 +73,12 @@ private:
     [[nodiscard]] model::Result<void> drawComplete(const render::RenderInput& input);
     [[nodiscard]] model::Result<void> ripen(render::RenderInput input,
                                             const model::KeepGoing& keepGoing);
+
+    [[nodiscard]] model::Result<render::AovPicture> aovs(const PictureRequest& request,
+                                                         const PicturePasses& passes);
+    [[nodiscard]] model::Result<Coverage> coverage(const PictureRequest& request,
+                                                   const PicturePasses& passes,
+                                                   const model::KeepGoing& keepGoing);
 
     model::KeyframeStore& m_keyframes;
     bool m_hasDrawn = false;

@@ -100,19 +100,29 @@ ExrLayer templatePass(const PassSource& source)
     });
 }
 
+ExrLayer cryptomattePass(const PassSource& source)
+{
+    return cryptomatteLayer(source.coverage, source.frame);
+}
+
 constexpr PicturePass kPasses[] = {
     {"colour", QT_TRANSLATE_NOOP("PicturePasses", "Colour"),
-     "red, green, blue and alpha, linear, colours times alpha", false, &colourPass},
+     "red, green, blue and alpha, linear, colours times alpha", PassNeed::Colours, &colourPass},
     {"depth", QT_TRANSLATE_NOOP("PicturePasses", "Depth"),
-     "metres along the view axis; 1e10 where nothing is", true, &depthPass},
+     "metres along the view axis; 1e10 where nothing is", PassNeed::Aovs, &depthPass},
     {"normal", QT_TRANSLATE_NOOP("PicturePasses", "Normal"),
-     "unit vectors, world, towards the camera's side; 0 where nothing is", true, &normalPass},
+     "unit vectors, world, towards the camera's side; 0 where nothing is", PassNeed::Aovs,
+     &normalPass},
     {"position", QT_TRANSLATE_NOOP("PicturePasses", "Position"),
-     "metres, world, Y up; 0 where nothing is", true, &positionPass},
+     "metres, world, Y up; 0 where nothing is", PassNeed::Aovs, &positionPass},
     {"id", QT_TRANSLATE_NOOP("PicturePasses", "Individual"),
-     "the individual's id; 0 where nobody is", true, &individualPass},
+     "the individual's id; 0 where nobody is", PassNeed::Aovs, &individualPass},
     {"template", QT_TRANSLATE_NOOP("PicturePasses", "Template"),
-     "the individual's template; 0 where nobody is", true, &templatePass}};
+     "the individual's template; 0 where nobody is", PassNeed::Aovs, &templatePass},
+    {"cryptomatte", QT_TRANSLATE_NOOP("PicturePasses", "Cryptomatte"),
+     "mattes of everybody and of every template with smooth edges, by the Cryptomatte "
+     "specification; 24 components",
+     PassNeed::Coverage, &cryptomattePass, &addCryptomatteNotes}};
 
 std::string templatesOf(const model::CrowdFrame& frame)
 {
@@ -169,15 +179,23 @@ model::Result<PicturePasses> passesOf(std::string_view keys)
     return passes;
 }
 
-bool needAovs(const PicturePasses& passes)
+bool needAny(const PicturePasses& passes, PassNeed need)
 {
-    return std::ranges::any_of(passes, &PicturePass::needsAovs);
+    return std::ranges::find(passes, need, &PicturePass::need) != passes.end();
 }
 
-ExrHeader exrHeaderOf(const model::Camera& camera, glm::ivec2 size, const model::CrowdFrame& frame)
+ExrHeader exrHeaderOf(const PicturePasses& passes, const model::Camera& camera, glm::ivec2 size,
+                      const model::CrowdFrame& frame)
 {
     const model::View view(camera, glm::vec2(size));
-    return {size, view.viewMatrix(), view.viewProjection(), templatesOf(frame)};
+    ExrHeader header{size, view.viewMatrix(), view.viewProjection(), {}};
+    header.notes["crowdbrush.templates"] = templatesOf(frame);
+    for (const PicturePass* pass : passes) {
+        if (pass->addNotes != nullptr) {
+            pass->addNotes(frame, header);
+        }
+    }
+    return header;
 }
 
 std::vector<ExrLayer> layersOf(const PicturePasses& passes, const PassSource& source)

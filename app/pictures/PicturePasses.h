@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/pictures/Cryptomatte.h"
 #include "app/pictures/ExrFile.h"
 #include "model/base/Result.h"
 #include "model/scene/CrowdFrame.h"
@@ -20,9 +21,17 @@ struct PassSource
 {
     const std::vector<std::uint8_t>& colours; ///< RGBA8, sRGB, rows from the top
     bool isTransparent = false;
-    const render::AovPicture& aovs; ///< empty where no pass needs it
+    const render::AovPicture& aovs; ///< and the next: empty where no pass needs it
+    const Coverage& coverage;
     const model::CrowdFrame& frame;
     const model::Camera& camera;
+};
+
+/// What a pass is made from.
+enum class PassNeed : std::uint8_t {
+    Colours,
+    Aovs,    ///< of the middle of each pixel
+    Coverage ///< all of each pixel
 };
 
 /// A pass of a picture: a layer of an OpenEXR file, or numbers for a script. The command line, the
@@ -32,8 +41,10 @@ struct PicturePass
     std::string_view key;
     const char* label;
     const char* doc; ///< what its numbers are
-    bool needsAovs;
+    PassNeed need;
     ExrLayer (*layer)(const PassSource& source);
+    /// Adds what the header of its file says; null: nothing.
+    void (*addNotes)(const model::CrowdFrame& frame, ExrHeader& header) = nullptr;
 };
 
 using PicturePasses = std::vector<const PicturePass*>;
@@ -44,11 +55,11 @@ using PicturePasses = std::vector<const PicturePass*>;
 [[nodiscard]] std::string passKeys();
 /// Of keys with commas between them, each once, in the table's order. An error names what there is.
 [[nodiscard]] model::Result<PicturePasses> passesOf(std::string_view keys);
-[[nodiscard]] bool needAovs(const PicturePasses& passes);
+[[nodiscard]] bool needAny(const PicturePasses& passes, PassNeed need);
 
 /// What somebody who opens the file needs to know besides.
-[[nodiscard]] ExrHeader exrHeaderOf(const model::Camera& camera, glm::ivec2 size,
-                                    const model::CrowdFrame& frame);
+[[nodiscard]] ExrHeader exrHeaderOf(const PicturePasses& passes, const model::Camera& camera,
+                                    glm::ivec2 size, const model::CrowdFrame& frame);
 [[nodiscard]] std::vector<ExrLayer> layersOf(const PicturePasses& passes, const PassSource& source);
 
 } // namespace crowd::app

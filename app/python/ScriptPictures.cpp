@@ -29,12 +29,12 @@ Result<ScriptDrawing> drawWith(PictureMaker& maker, const PictureRequest& reques
     if (auto drawn = maker.draw(request, picture.keepGoing); !drawn) {
         return drawn.error();
     }
-    auto layers = maker.layers(request, picture.passes);
+    auto layers = maker.layers(request, picture.passes, picture.keepGoing);
     if (!layers) {
         return layers.error();
     }
     return ScriptDrawing{maker.pixels(), std::move(layers).value(),
-                         exrHeaderOf(request.camera, request.size, *request.frame)};
+                         exrHeaderOf(picture.passes, request.camera, request.size, *request.frame)};
 }
 
 } // namespace

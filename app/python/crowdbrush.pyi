@@ -1387,9 +1387,10 @@ class Scene:
         view axis; 1e10 where nothing is); normal (unit vectors, world, towards the camera's
         side; 0 where nothing is); position (metres, world, Y up; 0 where nothing is); id (the
         individual's id; 0 where nobody is); template (the individual's template; 0 where
-        nobody is). The rest is as of render. progress: is called with the share that is done,
-        0 to 1, some times a second; what it raises, as Ctrl+C, ends the call, which takes
-        back what it did."""
+        nobody is); cryptomatte (mattes of everybody and of every template with smooth edges,
+        by the Cryptomatte specification; 24 components). The rest is as of render. progress:
+        is called with the share that is done, 0 to 1, some times a second; what it raises, as
+        Ctrl+C, ends the call, which takes back what it did."""
     @property
     def templates(self) -> List[Template]:
         """Characters to make copies of."""

@@ -46,7 +46,7 @@ model::Result<void> drawPicture(const NamedJob& job, const model::KeepGoing& kee
     if (auto drawn = maker.value()->draw(request, keepGoing); !drawn) {
         return drawn;
     }
-    return maker.value()->save(job.path, request, job.passes);
+    return maker.value()->save(job.path, request, job.passes, keepGoing);
 }
 
 std::vector<SaveKind> pictureKinds(bool hasPasses)

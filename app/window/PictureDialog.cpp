@@ -106,7 +106,7 @@ void PictureDialog::addPasses(QFormLayout& form)
     grid->setContentsMargins({});
     const QStringList chosen = QSettings().value(kPicturePasses).toStringList();
     for (const PicturePass& pass : picturePasses()) {
-        if (!pass.needsAovs) {
+        if (pass.need == PassNeed::Colours) {
             continue; // the picture itself
         }
         const QString key = QString::fromUtf8(pass.key.data(), static_cast<int>(pass.key.size()));

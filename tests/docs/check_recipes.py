@@ -45,7 +45,7 @@ EXAMPLES = {
     "A kind of mark": Example(r"\bMarkKind::Event\b|\"event\", QT", most=5,
                               users=("model/rules/*",)),
     "A format of pictures": Example(r"\"png\"", users=("model/gltf/*",), most=2),
-    "A pass of pictures": Example(r"\{\"depth\", QT", most=2),
+    "A pass of pictures": Example(r"\{\"depth\", QT|\"depth\.Z\"", most=2),
     "A panel": Example(r"\bHistoryDock\b|\bDockId::History\b|^    History,$", most=7),
     "A test": Example(r"\btst_BrushColour\b", most=2),
 }

@@ -20,6 +20,10 @@ class Passes(unittest.TestCase):
         self.assertEqual(passes["colour"].shape, (36, 64, 4))
         self.assertEqual(passes["normal"].shape, (36, 64, 3))
         self.assertEqual(passes["depth"].shape, (36, 64))
+        mattes = self.scene.render_passes(64, 36, ["cryptomatte"], camera="Audience", time=1.0)["cryptomatte"]
+        self.assertEqual(mattes.shape, (36, 64, 24))
+        shares = mattes[:, :, 1:12:2].sum(axis=2)
+        self.assertTrue((shares >= 0).all() and (shares <= 1.0001).all() and (shares > 0.99).any())
         self.assertEqual((passes["depth"].dtype, passes["id"].dtype), (np.float32, np.uint32))
 
     def test_agree_with_the_scene(self):
