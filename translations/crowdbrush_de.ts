@@ -5645,6 +5645,10 @@
         <source>The graphics driver offers no framebuffer of numbers of %1 by %2 pixels. Try a smaller picture.</source>
         <translation>Der Grafiktreiber bietet keinen Bildspeicher für Zahlen mit %1 mal %2 Pixeln. Versuchen Sie ein kleineres Bild.</translation>
     </message>
+    <message>
+        <source>%1 has no room for passes: let the name end in .exr.</source>
+        <translation>%1 hat keinen Platz für Ebenen: Lassen Sie den Namen auf .exr enden.</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -8935,6 +8939,25 @@ Verworfen ist sie fort.</translation>
         <source>The movie could not be made</source>
         <translation>Der Film konnte nicht gemacht werden</translation>
     </message>
+    <message>
+        <source>Numbered pictures, %1</source>
+        <translation>Nummerierte Bilder, %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of the pictures are there already.</source>
+        <translation>
+            <numerusform>Eines der Bilder ist schon da.</numerusform>
+            <numerusform>%n der Bilder sind schon da.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Draw What Is Missing</source>
+        <translation>Fehlende zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw All Anew</source>
+        <translation>Alle neu zeichnen</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::MovieDialog</name>
@@ -9000,6 +9023,17 @@ Verworfen ist sie fort.</translation>
             <numerusform>%n Bild</numerusform>
             <numerusform>%n Bilder</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Ebenen</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::PassFields</name>
+    <message>
+        <source>For compositing: a layer of an OpenEXR file, with the colours</source>
+        <translation>Fürs Compositing: eine Ebene einer OpenEXR-Datei, zusammen mit den Farben</translation>
     </message>
 </context>
 <context>
@@ -9094,10 +9128,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>F-stop</source>
         <translation>Blende</translation>
-    </message>
-    <message>
-        <source>For compositing: a layer of an OpenEXR file, with the colours</source>
-        <translation>Fürs Compositing: eine Ebene einer OpenEXR-Datei, zusammen mit den Farben</translation>
     </message>
     <message>
         <source>Passes</source>

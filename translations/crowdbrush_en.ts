@@ -5645,6 +5645,10 @@
         <source>The graphics driver offers no framebuffer of numbers of %1 by %2 pixels. Try a smaller picture.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 has no room for passes: let the name end in .exr.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -8930,6 +8934,25 @@ Thrown away, it is gone.</source>
         <source>The movie could not be made</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Numbered pictures, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of the pictures are there already.</source>
+        <translation>
+            <numerusform>One of the pictures is there already.</numerusform>
+            <numerusform>%n of the pictures are there already.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Draw What Is Missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw All Anew</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::MovieDialog</name>
@@ -8995,6 +9018,17 @@ Thrown away, it is gone.</source>
             <numerusform>%n picture</numerusform>
             <numerusform>%n pictures</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::PassFields</name>
+    <message>
+        <source>For compositing: a layer of an OpenEXR file, with the colours</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9088,10 +9122,6 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>F-stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>For compositing: a layer of an OpenEXR file, with the colours</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -16,6 +16,7 @@
 #include "app/pictures/LensWish.h"
 #include "app/pictures/LookWish.h"
 #include "app/pictures/MovieFile.h"
+#include "app/pictures/NumberedPictures.h"
 #include "app/pictures/PictureMaker.h"
 #include "behavior/session/SceneMotion.h"
 #include "model/project/LocateAssets.h"
@@ -149,7 +150,7 @@ model::Result<void> writeFrames(ScenePictures& pictures, const RenderPlan& plan,
     std::optional<int> next = plan.frames.first();
     for (; next; next = plan.frames.after(*next)) {
         const int frame = *next;
-        const QString path = fileForFrame(pattern, frame);
+        const QString path = fileForFrame(QString::fromStdString(pattern), frame);
         if (plan.isResumed && QFileInfo::exists(path)) {
             continue; // whole: a picture is written as a whole or not at all
         }

@@ -118,20 +118,4 @@ model::Result<RenderPlan> planOf(const RenderOptions& options)
     return plan;
 }
 
-QString fileForFrame(const std::string& pattern, int frame)
-{
-    QString name = QString::fromStdString(pattern);
-    const auto first = name.indexOf(QLatin1Char('#'));
-    if (first < 0) {
-        return name;
-    }
-    auto end = first;
-    while (end < name.size() && name[end] == QLatin1Char('#')) {
-        ++end;
-    }
-    return name.replace(
-        first, end - first,
-        QStringLiteral("%1").arg(frame, static_cast<int>(end - first), 10, QLatin1Char('0')));
-}
-
 } // namespace crowd::app

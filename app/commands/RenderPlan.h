@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QtCore/QString>
-
 #include <glm/vec2.hpp>
 
 #include "app/commands/FrameList.h"
@@ -29,8 +27,5 @@ struct RenderPlan
 
 /// An error names the option and what it takes.
 [[nodiscard]] model::Result<RenderPlan> planOf(const RenderOptions& options);
-
-/// f_####.png → f_0007.png; a name without # stays.
-[[nodiscard]] QString fileForFrame(const std::string& pattern, int frame);
 
 } // namespace crowd::app

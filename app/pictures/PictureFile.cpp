@@ -61,6 +61,12 @@ model::Result<void> writePicture(const QString& path, const std::vector<std::uin
 model::Result<void> writeLayers(const QString& path, const ExrHeader& header,
                                 std::span<const ExrLayer> layers)
 {
+    const PictureFormat* format = pictureFormatOf(path);
+    if (format == nullptr || !format->hasLayers) {
+        return model::Error{
+            QT_TRANSLATE_NOOP("Messages", "%1 has no room for passes: let the name end in .exr."),
+            path.toStdString()};
+    }
     const auto encoded = encodeExr(header, layers);
     if (!encoded) {
         return notMade(path, encoded.error());

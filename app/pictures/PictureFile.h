@@ -21,7 +21,7 @@ namespace crowd::app {
                                                const std::vector<std::uint8_t>& rgba,
                                                glm::ivec2 size, bool isTransparent = false);
 
-/// Several layers of one, as OpenEXR whatever the path ends in; whole or not at all.
+/// Several layers of one, as OpenEXR, which the path says; whole or not at all.
 [[nodiscard]] model::Result<void> writeLayers(const QString& path, const ExrHeader& header,
                                               std::span<const ExrLayer> layers);
 

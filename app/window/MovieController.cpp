@@ -10,9 +10,12 @@
 #include <QtCore/QFileInfo>
 #include <QtCore/QStandardPaths>
 #include <QtWidgets/QMessageBox>
+#include <QtWidgets/QPushButton>
 
 #include "app/pictures/MovieFile.h"
 #include "app/pictures/MovieFormats.h"
+#include "app/pictures/NumberedPictures.h"
+#include "app/pictures/PictureFormats.h"
 #include "app/window/AskForPath.h"
 #include "app/window/MovieDialog.h"
 #include "app/window/PictureJob.h"
@@ -36,7 +39,16 @@ struct MovieJob
     std::shared_ptr<behavior::MotionCache> run; ///< null: the scene from its beginning
     TimeSpan span;
     double framesPerSecond = 30.0;
+    PicturePasses passes;
+    bool isResumed = false; ///< numbered pictures that are there stay
     QString title;
+
+    /// Else each picture is a file.
+    [[nodiscard]] bool isMovie() const { return movieFormatOf(path) != nullptr; }
+    [[nodiscard]] QString fileOf(int number) const
+    {
+        return fileForFrame(numberedPattern(path), number);
+    }
 
     [[nodiscard]] int pictures() const
     {
@@ -100,6 +112,47 @@ private:
     std::unique_ptr<behavior::SceneMotion> m_motion;
 };
 
+/// Where pictures go to, one after the other: a movie, or a file each.
+class DrawnFrames
+{
+public:
+    explicit DrawnFrames(const MovieJob& job) : m_job(job) {}
+
+    [[nodiscard]] model::Result<void> begin()
+    {
+        if (!m_job.isMovie()) {
+            return {};
+        }
+        auto movie =
+            MovieFile::create(m_job.path, m_job.picture.request.size, m_job.framesPerSecond);
+        if (!movie) {
+            return movie.error();
+        }
+        m_movie = std::move(movie).value();
+        return {};
+    }
+    /// There already, from the last time.
+    [[nodiscard]] bool has(int picture) const
+    {
+        return m_job.isResumed && !m_movie && QFileInfo::exists(m_job.fileOf(picture));
+    }
+    [[nodiscard]] model::Result<void> add(int picture, PictureMaker& maker,
+                                          const PictureRequest& request,
+                                          const model::KeepGoing& keepGoing)
+    {
+        return m_movie ? m_movie->add(maker.pixels())
+                       : maker.save(m_job.fileOf(picture), request, m_job.passes, keepGoing);
+    }
+    [[nodiscard]] model::Result<void> finish()
+    {
+        return m_movie ? m_movie->finish() : model::Result<void>();
+    }
+
+private:
+    const MovieJob& m_job;
+    std::unique_ptr<MovieFile> m_movie;
+};
+
 model::Result<void> drawMovie(const MovieJob& job, const widgets::TaskReport& report)
 {
     model::KeyframeStore keyframes(kMovieKeyframeBytes);
@@ -107,14 +160,17 @@ model::Result<void> drawMovie(const MovieJob& job, const widgets::TaskReport& re
     if (!maker) {
         return maker.error();
     }
-    auto movie = MovieFile::create(job.path, job.picture.request.size, job.framesPerSecond);
-    if (!movie) {
-        return movie.error();
+    DrawnFrames drawnFrames(job);
+    if (auto begun = drawnFrames.begin(); !begun) {
+        return begun;
     }
     MovieFrames frames(job);
     PictureJob picture = job.picture;
     const int pictures = job.pictures();
     for (int i = 0; i < pictures; ++i) {
+        if (drawnFrames.has(i)) {
+            continue;
+        }
         const float share = static_cast<float>(i) / static_cast<float>(pictures);
         const auto keepGoing = [&](double) { return report(job.title, share); };
         const auto frame = frames.at(job.span.from + i / job.framesPerSecond, keepGoing);
@@ -128,20 +184,42 @@ model::Result<void> drawMovie(const MovieJob& job, const widgets::TaskReport& re
         if (auto drawn = maker.value()->draw(request, keepGoing); !drawn) {
             return drawn;
         }
-        if (auto added = movie.value()->add(maker.value()->pixels()); !added) {
+        if (auto added = drawnFrames.add(i, *maker.value(), request, keepGoing); !added) {
             return added;
         }
     }
-    return movie.value()->finish();
+    return drawnFrames.finish();
 }
 
-std::vector<SaveKind> movieKinds()
+std::vector<SaveKind> movieKinds(bool hasPasses)
 {
     std::vector<SaveKind> kinds;
     for (const MovieFormat& format : movieFormats()) {
-        kinds.push_back({QLatin1String(format.name), {QLatin1String(format.ending)}});
+        if (!hasPasses) {
+            kinds.push_back({QLatin1String(format.name), {QLatin1String(format.ending)}});
+        }
+    }
+    for (const PictureFormat& format : pictureFormats()) {
+        if (hasPasses && !format.hasLayers) {
+            continue;
+        }
+        SaveKind& kind = kinds.emplace_back();
+        kind.name = MovieController::tr("Numbered pictures, %1").arg(QLatin1String(format.name));
+        for (const char* ending : format.endings) {
+            kind.endings << QLatin1String(ending);
+        }
     }
     return kinds;
+}
+
+/// Of those that would be drawn.
+int countThere(const MovieJob& job)
+{
+    int there = 0;
+    for (int i = 0; i < job.pictures() && !job.isMovie(); ++i) {
+        there += QFileInfo::exists(job.fileOf(i)) ? 1 : 0;
+    }
+    return there;
 }
 
 /// A camera's own look, as the view takes it on with the camera.
@@ -184,12 +262,28 @@ void MovieController::make(glm::ivec2 view)
         return;
     }
     const QString path =
-        askForPath(m_window, tr("Make Movie"), movieKinds(), QStringLiteral("movie/folder"),
-                   m_state.document().path(),
+        askForPath(m_window, tr("Make Movie"), movieKinds(!dialog.passes().empty()),
+                   QStringLiteral("movie/folder"), m_state.document().path(),
                    QStandardPaths::writableLocation(QStandardPaths::MoviesLocation), tr("movie"));
     if (!path.isEmpty()) {
         draw(path, dialog);
     }
+}
+
+bool MovieController::askOfThose(int there, bool& areKept)
+{
+    QMessageBox box(QMessageBox::Question, tr("Make Movie"),
+                    tr("%n of the pictures are there already.", nullptr, there),
+                    QMessageBox::Cancel, m_window);
+    box.setObjectName(QStringLiteral("picturesAreThere"));
+    QPushButton* missing = box.addButton(tr("Draw What Is Missing"), QMessageBox::AcceptRole);
+    missing->setObjectName(QStringLiteral("drawMissing"));
+    QPushButton* all = box.addButton(tr("Draw All Anew"), QMessageBox::DestructiveRole);
+    all->setObjectName(QStringLiteral("drawAll"));
+    box.setDefaultButton(missing);
+    box.exec();
+    areKept = box.clickedButton() == missing;
+    return areKept || box.clickedButton() == all;
 }
 
 void MovieController::draw(const QString& path, const MovieDialog& chosen)
@@ -200,6 +294,7 @@ void MovieController::draw(const QString& path, const MovieDialog& chosen)
     job.scene = m_state.scene();
     job.span = chosen.span();
     job.framesPerSecond = chosen.framesPerSecond();
+    job.passes = chosen.passes();
     job.title = tr("Drawing %1").arg(QFileInfo(path).fileName());
     const auto camera = static_cast<std::size_t>(std::max(chosen.camera(), 0));
     if (chosen.camera() >= 0 && camera < job.scene.cameras.size()) {
@@ -209,6 +304,9 @@ void MovieController::draw(const QString& path, const MovieDialog& chosen)
     if (chosen.isOfRun()) {
         job.run = m_state.session().motion();
         job.shown = m_state.document().frame(job.span.from);
+    }
+    if (const int there = countThere(job); there > 0 && !askOfThose(there, job.isResumed)) {
+        return;
     }
     m_task.start(
         tr("Making the movie…"),

@@ -12,8 +12,8 @@ namespace crowd::app {
 
 class MovieDialog;
 
-/// File > Make Movie: what has been played, or the scene from its beginning, as a moving picture of
-/// the view or of a camera, drawn in the background. Main thread only.
+/// File > Make Movie: what has been played, or the scene from its beginning, as a moving picture or
+/// numbered pictures of the view or of a camera, drawn in the background. Main thread only.
 class MovieController : public QObject
 {
     Q_OBJECT
@@ -28,6 +28,8 @@ public:
 
 private:
     void draw(const QString& path, const MovieDialog& chosen);
+    /// False: neither those that are missing nor all.
+    [[nodiscard]] bool askOfThose(int there, bool& areKept);
 
     widgets::EditorState& m_state;
     QWidget* m_window;

@@ -14,6 +14,7 @@
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
 
+#include "app/window/PassFields.h"
 #include "app/window/PictureSizeFields.h"
 
 namespace crowd::app {
@@ -44,7 +45,7 @@ MovieDialog::MovieDialog(const Offer& offer, QWidget* parent)
       m_from(secondsField("movieFrom", this)), m_to(secondsField("movieTo", this)),
       m_rates(new QComboBox(this)), m_count(new QLabel(this)),
       m_size(new PictureSizeFields(offer.view, QStringLiteral("movie/size"), this)),
-      m_cameras(new QComboBox(this))
+      m_cameras(new QComboBox(this)), m_passes(new PassFields(QStringLiteral("movie/passes"), this))
 {
     setWindowTitle(tr("Make Movie"));
     m_cameras->setObjectName(QStringLiteral("movieCameras"));
@@ -61,6 +62,7 @@ MovieDialog::MovieDialog(const Offer& offer, QWidget* parent)
     addRate(*form);
     form->addRow(tr("Camera"), m_cameras);
     form->addRow(tr("Size"), m_size);
+    form->addRow(tr("Passes"), m_passes);
     form->addRow(buttons);
     for (QDoubleSpinBox* box : {m_from, m_to}) {
         connect(box, &QDoubleSpinBox::valueChanged, this, &MovieDialog::countPictures);
@@ -151,6 +153,11 @@ glm::ivec2 MovieDialog::chosenSize() const
     return m_size->chosen();
 }
 
+PicturePasses MovieDialog::passes() const
+{
+    return m_passes->chosen();
+}
+
 int MovieDialog::camera() const
 {
     return m_cameras->currentIndex() - 1;
@@ -164,6 +171,7 @@ void MovieDialog::accept()
         settings.setValue(kMovieSeconds, span().to);
     }
     m_size->remember();
+    m_passes->remember();
     QDialog::accept();
 }
 

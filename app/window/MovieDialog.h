@@ -8,6 +8,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/pictures/PicturePasses.h"
+
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
@@ -15,6 +17,7 @@ class QLabel;
 
 namespace crowd::app {
 
+class PassFields;
 class PictureSizeFields;
 
 /// Seconds of the transport.
@@ -25,8 +28,8 @@ struct TimeSpan
 };
 
 /// What File > Make Movie asks before it asks for a name: of what, from when to when, how many
-/// pictures a second, their size, and the camera. Proposes what was chosen last, and the whole run
-/// where there is one; of either no more than the scene's play range.
+/// pictures a second, their size, the camera, and what else files hold. Proposes what was chosen
+/// last, and the whole run where there is one; of either no more than the scene's play range.
 class MovieDialog : public QDialog
 {
     Q_OBJECT
@@ -46,7 +49,8 @@ public:
     [[nodiscard]] TimeSpan span() const;
     [[nodiscard]] double framesPerSecond() const;
     [[nodiscard]] glm::ivec2 chosenSize() const;
-    [[nodiscard]] int camera() const; ///< index of the offered ones; -1: the view
+    [[nodiscard]] PicturePasses passes() const; ///< empty: the colours alone
+    [[nodiscard]] int camera() const;           ///< index of the offered ones; -1: the view
 
     void accept() override;
 
@@ -64,6 +68,7 @@ private:
     QLabel* m_count;
     PictureSizeFields* m_size;
     QComboBox* m_cameras;
+    PassFields* m_passes;
 };
 
 } // namespace crowd::app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/PictureDialog.h"
 
-#include <QtCore/QCoreApplication>
 #include <QtCore/QSettings>
 #include <QtCore/QSignalBlocker>
 #include <QtWidgets/QCheckBox>
@@ -9,9 +8,9 @@
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QFormLayout>
-#include <QtWidgets/QGridLayout>
 #include <QtWidgets/QPushButton>
 
+#include "app/window/PassFields.h"
 #include "app/window/PictureSizeFields.h"
 
 namespace crowd::app {
@@ -20,7 +19,6 @@ namespace {
 
 const QString kPictureLens = QStringLiteral("picture/depthOfField");
 const QString kPictureFStop = QStringLiteral("picture/fStop");
-const QString kPicturePasses = QStringLiteral("picture/passes");
 const QString kPictureTransparent = QStringLiteral("picture/transparent");
 
 } // namespace
@@ -30,7 +28,8 @@ PictureDialog::PictureDialog(glm::ivec2 view, const model::Camera& camera,
     : QDialog(parent), m_size(new PictureSizeFields(view, QStringLiteral("picture/size"), this)),
       m_transparent(new QCheckBox(this)), m_hasLens(new QCheckBox(this)),
       m_focuses(new QComboBox(this)), m_focus(new QDoubleSpinBox(this)),
-      m_fStop(new QDoubleSpinBox(this))
+      m_fStop(new QDoubleSpinBox(this)),
+      m_passes(new PassFields(QStringLiteral("picture/passes"), this))
 {
     setWindowTitle(tr("Save Picture"));
     m_transparent->setObjectName(QStringLiteral("pictureTransparent"));
@@ -45,7 +44,7 @@ PictureDialog::PictureDialog(glm::ivec2 view, const model::Camera& camera,
     form->addRow(tr("Size"), m_size);
     form->addRow(QString(), m_transparent);
     addLens(*form, camera, selectedDepth);
-    addPasses(*form);
+    form->addRow(tr("Passes"), m_passes);
     form->addRow(buttons);
     m_transparent->setChecked(QSettings().value(kPictureTransparent).toBool());
 }
@@ -98,38 +97,9 @@ void PictureDialog::addLens(QFormLayout& form, const model::Camera& camera,
     chooseFocus(m_focuses->currentIndex());
 }
 
-void PictureDialog::addPasses(QFormLayout& form)
-{
-    constexpr int kColumns = 3;
-    auto* area = new QWidget(this);
-    auto* grid = new QGridLayout(area);
-    grid->setContentsMargins({});
-    const QStringList chosen = QSettings().value(kPicturePasses).toStringList();
-    for (const PicturePass& pass : picturePasses()) {
-        if (pass.need == PassNeed::Colours) {
-            continue; // the picture itself
-        }
-        const QString key = QString::fromUtf8(pass.key.data(), static_cast<int>(pass.key.size()));
-        auto* box = new QCheckBox(QCoreApplication::translate("PicturePasses", pass.label), area);
-        box->setObjectName(QStringLiteral("picturePass.") + key);
-        box->setToolTip(tr("For compositing: a layer of an OpenEXR file, with the colours"));
-        box->setChecked(chosen.contains(key));
-        const int place = static_cast<int>(m_passes.size());
-        grid->addWidget(box, place / kColumns, place % kColumns);
-        m_passes.emplace_back(&pass, box);
-    }
-    form.addRow(tr("Passes"), area);
-}
-
 PicturePasses PictureDialog::passes() const
 {
-    PicturePasses passes{&picturePasses().front()};
-    for (const auto& [pass, box] : m_passes) {
-        if (box->isChecked()) {
-            passes.push_back(pass);
-        }
-    }
-    return passes.size() > 1 ? passes : PicturePasses();
+    return m_passes->chosen();
 }
 
 void PictureDialog::chooseFocus(int index)
@@ -172,13 +142,7 @@ void PictureDialog::accept()
     settings.setValue(kPictureTransparent, m_transparent->isChecked());
     settings.setValue(kPictureLens, m_hasLens->isChecked());
     settings.setValue(kPictureFStop, m_fStop->value());
-    QStringList chosen;
-    for (const auto& [pass, box] : m_passes) {
-        if (box->isChecked()) {
-            chosen << QString::fromUtf8(pass->key.data(), static_cast<int>(pass->key.size()));
-        }
-    }
-    settings.setValue(kPicturePasses, chosen);
+    m_passes->remember();
     QDialog::accept();
 }
 

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include <QtWidgets/QDialog>
 
@@ -19,6 +17,7 @@ class QFormLayout;
 
 namespace crowd::app {
 
+class PassFields;
 class PictureSizeFields;
 
 /// What File > Save Picture asks before it asks for a name: the size in pixels, whether what lies
@@ -45,7 +44,6 @@ public:
 private:
     void addLens(QFormLayout& form, const model::Camera& camera,
                  std::optional<double> selectedDepth);
-    void addPasses(QFormLayout& form);
     void chooseFocus(int index);
     void noteOwnFocus();
 
@@ -55,7 +53,7 @@ private:
     QComboBox* m_focuses;
     QDoubleSpinBox* m_focus;
     QDoubleSpinBox* m_fStop;
-    std::vector<std::pair<const PicturePass*, QCheckBox*>> m_passes;
+    PassFields* m_passes;
 };
 
 } // namespace crowd::app

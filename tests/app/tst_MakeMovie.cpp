@@ -2,8 +2,11 @@
 #include <cmath>
 #include <functional>
 
+#include <QtCore/QFile>
+#include <QtCore/QTimer>
 #include <QtGui/QAction>
 #include <QtTest/QTest>
+#include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QLabel>
@@ -52,6 +55,7 @@ private Q_SLOTS:
     void cleanup() { qunsetenv("CROWDBRUSH_FFMPEG"); }
     void ofTheSceneFromItsBeginning();
     void ofWhatHasBeenPlayed();
+    void asNumberedPictures();
     void nothingStaysOfWhatIsCancelled();
     void saysWhereFfmpegIsNot();
 
@@ -97,6 +101,45 @@ void TestMakeMovie::ofTheSceneFromItsBeginning()
     QCOMPARE(pictures.size(), std::size_t{16});
     QVERIFY(pictures.front() != pictures.back());
     QVERIFY(!m_window->state().session().isRunning()); // it was another run
+}
+
+/// With passes, and again only those that are missing.
+void TestMakeMovie::asNumberedPictures()
+{
+    openScene(walkScene(), QStringLiteral("walk.crowd"));
+    const auto choose = [](QDialog& dialog) {
+        dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieFrom"))->setValue(0.0);
+        dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieTo"))->setValue(0.1);
+        auto* rates = dialog.findChild<QComboBox*>(QStringLiteral("movieRates"));
+        rates->setCurrentIndex(rates->findData(30.0));
+        dialog.findChild<QCheckBox*>(QStringLiteral("picturePass.depth"))->setChecked(true);
+    };
+    const QString path = pathOf(QStringLiteral("walk.exr"));
+    QVERIFY(make(path, choose));
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->isFree(), 6 * kPatienceMs);
+    const auto bytesOf = [this](int number) {
+        QFile file(pathOf(QStringLiteral("walk_000%1.exr").arg(number)));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    for (int i = 0; i < 4; ++i) {
+        QVERIFY2(bytesOf(i).contains("depth.Z"), qPrintable(QString::number(i)));
+    }
+    QVERIFY(bytesOf(4).isEmpty() && !QFile::exists(path));
+    const QByteArray second = bytesOf(1);
+
+    QVERIFY(QFile::remove(pathOf(QStringLiteral("walk_0001.exr"))));
+    QVERIFY(QFile::resize(pathOf(QStringLiteral("walk_0002.exr")), 10));
+    QTimer answer; // to the question that comes after both dialogs
+    connect(&answer, &QTimer::timeout, this, [this] {
+        if (auto* missing = m_window->findChild<QPushButton*>(QStringLiteral("drawMissing"))) {
+            missing->click();
+        }
+    });
+    answer.start(20);
+    QVERIFY(make(path, choose));
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->isFree(), 6 * kPatienceMs);
+    QVERIFY(bytesOf(1) == second);
+    QCOMPARE(bytesOf(2).size(), 10);
 }
 
 /// As it was seen, whatever the scene is like by now.

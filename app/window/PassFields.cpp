@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/PassFields.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QSettings>
+#include <QtCore/QStringList>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QGridLayout>
+
+namespace crowd::app {
+
+namespace {
+
+QString keyOf(const PicturePass& pass)
+{
+    return QString::fromUtf8(pass.key.data(), static_cast<int>(pass.key.size()));
+}
+
+} // namespace
+
+PassFields::PassFields(QString settingsKey, QWidget* parent)
+    : QWidget(parent), m_settingsKey(std::move(settingsKey))
+{
+    constexpr int kColumns = 3;
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins({});
+    const QStringList last = QSettings().value(m_settingsKey).toStringList();
+    for (const PicturePass& pass : picturePasses()) {
+        if (pass.need == PassNeed::Colours) {
+            continue; // the picture itself
+        }
+        auto* box = new QCheckBox(QCoreApplication::translate("PicturePasses", pass.label), this);
+        box->setObjectName(QStringLiteral("picturePass.") + keyOf(pass));
+        box->setToolTip(tr("For compositing: a layer of an OpenEXR file, with the colours"));
+        box->setChecked(last.contains(keyOf(pass)));
+        const int place = static_cast<int>(m_boxes.size());
+        grid->addWidget(box, place / kColumns, place % kColumns);
+        m_boxes.emplace_back(&pass, box);
+    }
+}
+
+PicturePasses PassFields::chosen() const
+{
+    PicturePasses passes{&picturePasses().front()};
+    for (const auto& [pass, box] : m_boxes) {
+        if (box->isChecked()) {
+            passes.push_back(pass);
+        }
+    }
+    return passes.size() > 1 ? passes : PicturePasses();
+}
+
+void PassFields::remember() const
+{
+    QStringList keys;
+    for (const auto& [pass, box] : m_boxes) {
+        if (box->isChecked()) {
+            keys << keyOf(*pass);
+        }
+    }
+    QSettings().setValue(m_settingsKey, keys);
+}
+
+} // namespace crowd::app
