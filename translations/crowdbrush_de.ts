@@ -9025,8 +9025,8 @@ Verworfen ist sie fort.</translation>
         </translation>
     </message>
     <message>
-        <source>Passes</source>
-        <translation>Ebenen</translation>
+        <source>EXR passes</source>
+        <translation>EXR-Ebenen</translation>
     </message>
 </context>
 <context>
@@ -9130,8 +9130,8 @@ Verworfen ist sie fort.</translation>
         <translation>Blende</translation>
     </message>
     <message>
-        <source>Passes</source>
-        <translation>Ebenen</translation>
+        <source>EXR passes</source>
+        <translation>EXR-Ebenen</translation>
     </message>
 </context>
 <context>

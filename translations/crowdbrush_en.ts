@@ -9020,7 +9020,7 @@ Thrown away, it is gone.</source>
         </translation>
     </message>
     <message>
-        <source>Passes</source>
+        <source>EXR passes</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9125,7 +9125,7 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Passes</source>
+        <source>EXR passes</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -62,7 +62,7 @@ MovieDialog::MovieDialog(const Offer& offer, QWidget* parent)
     addRate(*form);
     form->addRow(tr("Camera"), m_cameras);
     form->addRow(tr("Size"), m_size);
-    form->addRow(tr("Passes"), m_passes);
+    form->addRow(tr("EXR passes"), m_passes);
     form->addRow(buttons);
     for (QDoubleSpinBox* box : {m_from, m_to}) {
         connect(box, &QDoubleSpinBox::valueChanged, this, &MovieDialog::countPictures);

@@ -11,7 +11,7 @@ namespace crowd::app {
 
 namespace {
 
-QString keyOf(const PicturePass& pass)
+QString passName(const PicturePass& pass)
 {
     return QString::fromUtf8(pass.key.data(), static_cast<int>(pass.key.size()));
 }
@@ -30,9 +30,9 @@ PassFields::PassFields(QString settingsKey, QWidget* parent)
             continue; // the picture itself
         }
         auto* box = new QCheckBox(QCoreApplication::translate("PicturePasses", pass.label), this);
-        box->setObjectName(QStringLiteral("picturePass.") + keyOf(pass));
+        box->setObjectName(QStringLiteral("picturePass.") + passName(pass));
         box->setToolTip(tr("For compositing: a layer of an OpenEXR file, with the colours"));
-        box->setChecked(last.contains(keyOf(pass)));
+        box->setChecked(last.contains(passName(pass)));
         const int place = static_cast<int>(m_boxes.size());
         grid->addWidget(box, place / kColumns, place % kColumns);
         m_boxes.emplace_back(&pass, box);
@@ -55,7 +55,7 @@ void PassFields::remember() const
     QStringList keys;
     for (const auto& [pass, box] : m_boxes) {
         if (box->isChecked()) {
-            keys << keyOf(*pass);
+            keys << passName(*pass);
         }
     }
     QSettings().setValue(m_settingsKey, keys);
