@@ -5649,6 +5649,10 @@
         <source>%1 has no room for passes: let the name end in .exr.</source>
         <translation>%1 hat keinen Platz für Ebenen: Lassen Sie den Namen auf .exr enden.</translation>
     </message>
+    <message>
+        <source>%1 by %2 pixels are too many for passes, whose numbers take much memory: at most 40 million. Choose a smaller size.</source>
+        <translation>%1 mal %2 Pixel sind zu viele für Ebenen, deren Zahlen viel Speicher brauchen: höchstens 40 Millionen. Wählen Sie eine kleinere Größe.</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>

@@ -5649,6 +5649,10 @@
         <source>%1 has no room for passes: let the name end in .exr.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 by %2 pixels are too many for passes, whose numbers take much memory: at most 40 million. Choose a smaller size.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>

@@ -58,14 +58,22 @@ model::Result<void> writePicture(const QString& path, const std::vector<std::uin
     return writeBytes(path, encoded.value());
 }
 
+model::Result<void> roomForPasses(const QString& path)
+{
+    const PictureFormat* format = pictureFormatOf(path);
+    if (format != nullptr && format->hasLayers) {
+        return {};
+    }
+    return model::Error{
+        QT_TRANSLATE_NOOP("Messages", "%1 has no room for passes: let the name end in .exr."),
+        path.toStdString()};
+}
+
 model::Result<void> writeLayers(const QString& path, const ExrHeader& header,
                                 std::span<const ExrLayer> layers)
 {
-    const PictureFormat* format = pictureFormatOf(path);
-    if (format == nullptr || !format->hasLayers) {
-        return model::Error{
-            QT_TRANSLATE_NOOP("Messages", "%1 has no room for passes: let the name end in .exr."),
-            path.toStdString()};
+    if (auto room = roomForPasses(path); !room) {
+        return room;
     }
     const auto encoded = encodeExr(header, layers);
     if (!encoded) {

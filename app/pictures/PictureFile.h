@@ -21,6 +21,8 @@ namespace crowd::app {
                                                const std::vector<std::uint8_t>& rgba,
                                                glm::ivec2 size, bool isTransparent = false);
 
+/// An error unless files of that ending hold passes.
+[[nodiscard]] model::Result<void> roomForPasses(const QString& path);
 /// Several layers of one, as OpenEXR, which the path says; whole or not at all.
 [[nodiscard]] model::Result<void> writeLayers(const QString& path, const ExrHeader& header,
                                               std::span<const ExrLayer> layers);

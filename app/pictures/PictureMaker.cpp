@@ -11,6 +11,8 @@ namespace {
 /// Places of a lens that a picture is seen through: enough that single ones are not told apart
 /// where bright things are soft.
 constexpr int kPlacesOfLens = 96;
+/// Of pictures with passes: all of them take 200 bytes a pixel.
+constexpr std::int64_t kMostPixels = 40'000'000;
 
 render::RenderInput inputOf(const PictureRequest& request, model::KeyframeStore& keyframes)
 {
@@ -128,6 +130,14 @@ model::Result<std::vector<ExrLayer>> PictureMaker::layers(const PictureRequest& 
 {
     if (!m_context->makeCurrent()) {
         return contextLost();
+    }
+    const auto pixelCount = static_cast<std::int64_t>(request.size.x) * request.size.y;
+    if (pixelCount > kMostPixels && !passes.empty()) {
+        return model::Error{
+            QT_TRANSLATE_NOOP("Messages",
+                              "%1 by %2 pixels are too many for passes, whose numbers take much "
+                              "memory: at most 40 million. Choose a smaller size."),
+            request.size.x, request.size.y};
     }
     const auto shown = aovs(request, passes);
     if (!shown) {

@@ -15,6 +15,7 @@
 #include "app/pictures/MovieFile.h"
 #include "app/pictures/MovieFormats.h"
 #include "app/pictures/NumberedPictures.h"
+#include "app/pictures/PictureFile.h"
 #include "app/pictures/PictureFormats.h"
 #include "app/window/AskForPath.h"
 #include "app/window/MovieDialog.h"
@@ -44,7 +45,7 @@ struct MovieJob
     QString title;
 
     /// Else each picture is a file.
-    [[nodiscard]] bool isMovie() const { return movieFormatOf(path) != nullptr; }
+    [[nodiscard]] bool isMovie() const { return pictureFormatOf(path) == nullptr; }
     [[nodiscard]] QString fileOf(int number) const
     {
         return fileForFrame(numberedPattern(path), number);
@@ -120,6 +121,9 @@ public:
 
     [[nodiscard]] model::Result<void> begin()
     {
+        if (!m_job.passes.empty()) {
+            return roomForPasses(m_job.path);
+        }
         if (!m_job.isMovie()) {
             return {};
         }

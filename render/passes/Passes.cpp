@@ -195,8 +195,11 @@ model::Result<AovPicture> Passes::drawAovs(const PassContext& context)
             drawn = pass.draw(*this, context);
         }
     }
-    AovPicture picture = aovs.take();
-    return drawn ? model::Result<AovPicture>(std::move(picture)) : drawn.error();
+    if (!drawn) {
+        aovs = {};
+        return drawn.error();
+    }
+    return aovs.take();
 }
 
 model::Result<void> Passes::finish(const PassContext& context, const std::uint32_t* framebuffer)

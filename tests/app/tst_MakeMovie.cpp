@@ -71,6 +71,9 @@ bool TestMakeMovie::make(const QString& path, const std::function<void(QDialog&)
         [&choose](QDialog& shown) {
             shown.findChild<QSpinBox*>(QStringLiteral("pictureWidth"))->setValue(kWidth);
             shown.findChild<QSpinBox*>(QStringLiteral("pictureHeight"))->setValue(kHeight);
+            for (QCheckBox* box : shown.findChildren<QCheckBox*>()) {
+                box->setChecked(false); // whatever the last one was asked for
+            }
             choose(shown);
         },
         path);
@@ -140,6 +143,18 @@ void TestMakeMovie::asNumberedPictures()
     QTRY_VERIFY_WITH_TIMEOUT(m_window->isFree(), 6 * kPatienceMs);
     QVERIFY(bytesOf(1) == second);
     QCOMPARE(bytesOf(2).size(), 10);
+
+    const QString movie = pathOf(QStringLiteral("walk.mp4")); // has no room for them
+    QVERIFY(make(movie, choose));
+    QString said;
+    const DialogAnswer refused([&said](QDialog& dialog) {
+        const auto* box = qobject_cast<QMessageBox*>(&dialog);
+        said = box != nullptr ? box->text() : QString();
+        dialog.accept();
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(refused.hasAnswered() && m_window->isFree(), kPatienceMs);
+    QVERIFY2(said.contains(QStringLiteral("room for passes")), qPrintable(said));
+    QVERIFY(!QFile::exists(movie));
 }
 
 /// As it was seen, whatever the scene is like by now.

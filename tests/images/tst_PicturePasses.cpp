@@ -210,6 +210,16 @@ void TestPicturePasses::whatCannotBeWrittenIsSaid()
         app::writePicture(m_folder.filePath(QStringLiteral("no/a.exr")), pixels, {1, 1});
     QVERIFY(!lost.isOk());
     QVERIFY(lost.error().message.find("a.exr cannot be written") != std::string::npos);
+    QVERIFY(!app::writeLayers(m_folder.filePath(QStringLiteral("a.png")), {}, {}).isOk());
+    model::KeyframeStore keyframes;
+    auto maker = app::PictureMaker::create(keyframes);
+    QVERIFY(maker.isOk());
+    app::PictureRequest request = tallIds();
+    QVERIFY(maker.value()->draw(request).isOk());
+    request.size = {16384, 16384};
+    const auto large = maker.value()->layers(request, app::passesOf("depth").value());
+    QVERIFY(!large.isOk());
+    QVERIFY(large.error().message.find("16384 by 16384 pixels are too many") != std::string::npos);
     const auto empty = app::encodeExr({}, {});
     QVERIFY(!empty.isOk() && !empty.error().message.empty());
 }
