@@ -16,7 +16,7 @@ using namespace crowd::testing;
 namespace {
 
 constexpr float kSmooth = 0.3F;
-constexpr float kQuarter = 1.5707963F;
+constexpr float kQuarterTurn = 1.5707963F;
 
 /// Eight metres wide, on the ground, faces up.
 model::StageEntry floorOf(const model::MaterialChoice& material)
@@ -84,7 +84,7 @@ render::RenderInput TestHighlights::day(const model::View& view)
     input.lighting.showGroundGrid = false;
     input.lighting.sunColor = glm::vec3(1.0F);
     input.lighting.sunStrength = 0.4F;
-    input.lighting.sunElevationRadians = kQuarter;
+    input.lighting.sunElevationRadians = kQuarterTurn;
     input.lighting.ambientStrength = 0.2F;
     input.lighting.highlights = 1.0F;
     return input;
@@ -122,7 +122,7 @@ void TestHighlights::theSunIsMirroredWhereItShouldBe()
     QVERIFY2(gained > 0.3F && gained < 0.6F, qPrintable(QString::number(gained)));
     QVERIFY(at(3.5F, 0.0F).y < dull + 0.1F * gained);
     // From +X, so that its mirror picture is three metres to that side.
-    input.lighting.sunAzimuthRadians = kQuarter;
+    input.lighting.sunAzimuthRadians = kQuarterTurn;
     input.lighting.sunElevationRadians = std::atan2(10.0F, 3.0F);
     drawFloor(input, grey(kSmooth));
     QVERIFY(at(3.0F, 0.0F).y > dull + 0.7F * gained);
@@ -175,8 +175,8 @@ void TestHighlights::noneInTheShadow()
 {
     const auto camera = model::Camera::lookingAt({-7.0F, 7.0F, 0.0F}, {0.0F, 0.0F, 0.0F});
     render::RenderInput input = day(model::View(camera, glm::vec2(kPixels)));
-    input.lighting.sunAzimuthRadians = kQuarter;
-    input.lighting.sunElevationRadians = 0.5F * kQuarter;
+    input.lighting.sunAzimuthRadians = kQuarterTurn;
+    input.lighting.sunElevationRadians = 0.5F * kQuarterTurn;
     input.lighting.shadowStrength = 1.0F;
     drawFloor(input, grey(kSmooth));
     const float shining = at(0.0F, 0.0F).y;
