@@ -83,7 +83,22 @@ def figures():
         noon.render(*size, camera="Close", time=2, look="cartoon")], axis=1))
 
 
-PICTURES = {each.__name__: each for each in (highlights, cartoon, focus, mist, density, looks, figures)}
+def passes():
+    """Passes of one picture: its colours, depth, normals, and each template in a colour of its own."""
+    size = (SIZE[0] // 2, SIZE[1] // 2)
+    shown = scene_of("theatre", "afternoon").render_passes(
+        *size, ["depth", "normal", "template"], camera="Close", time=2)
+    colours = scene_of("theatre", "afternoon").render(*size, camera="Close", time=2)[:, :, :3] / 255
+    near = np.clip(1 - (shown["depth"] - 2) / 18, 0, 1)[:, :, None].repeat(3, axis=2)
+    hues = np.array([[0, 0, 0], [.9, .3, .2], [.95, .75, .2], [.3, .7, .4], [.25, .5, .9], [.7, .4, .8]])
+    kinds = hues[shown["template"] % len(hues)]
+    rows = [np.concatenate(pair, axis=1) for pair in ((colours, near), (shown["normal"] / 2 + .5, kinds))]
+    picture = np.concatenate(rows, axis=0)
+    opaque = np.ones(picture.shape[:2] + (1,))
+    return crowdbrush.Picture((np.concatenate([picture, opaque], axis=2) * 255).round().astype(np.uint8))
+
+
+PICTURES = {each.__name__: each for each in (highlights, cartoon, focus, mist, density, looks, figures, passes)}
 
 
 def main():
