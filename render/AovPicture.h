@@ -11,7 +11,7 @@ namespace crowd::render {
 
 /// What a picture shows instead of how it looks (arbitrary output variables, as renderers call
 /// them): of each pixel the surface at its centre. Rows from the top; world frame, metres. Seen
-/// through: what is blended, such as glass.
+/// through: what is blended of stages, such as glass, and of people where it hides less than half.
 struct AovPicture
 {
     static constexpr std::int32_t kThing = -1;   ///< a row: stages, the ground

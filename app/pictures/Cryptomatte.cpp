@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstring>
 #include <map>
-#include <span>
 #include <utility>
 
 #include <QtCore/QJsonDocument>
@@ -39,25 +38,29 @@ std::uint32_t murmurHash3(const std::string& text)
     return hash ^ hash >> 16U;
 }
 
-/// Of people in a frame, by row.
-struct MatteNumbers
-{
-    std::vector<std::uint32_t> individuals;
-    std::vector<std::uint32_t> templates;
-};
+/// Numbers by the keys of what is covered.
+using MatteNumbers = std::map<std::uint32_t, std::uint32_t>;
 
 /// What templates are called, each otherwise.
 std::map<model::TemplateId, std::string> templateNames(const model::CrowdFrame& frame)
 {
     std::map<model::TemplateId, std::string> names;
+    std::map<std::string, int> uses;
     if (frame.templates) {
         for (const model::TemplateEntry& entry : *frame.templates) {
             names[entry.id] = entry.name;
+            ++uses[entry.name];
+        }
+    }
+    for (auto& [id, name] : names) {
+        if (name.empty() || uses[name] > 1) {
+            name += "#" + std::to_string(id);
         }
     }
     return names;
 }
 
+/// use(row, name).
 template<class Use>
 void forPeople(const model::CrowdFrame& frame, const Use& use)
 {
@@ -67,76 +70,74 @@ void forPeople(const model::CrowdFrame& frame, const Use& use)
     for (std::size_t row = 0; row < ids.size(); ++row) {
         const auto found = names.find(templates[row]);
         const std::string kind = found != names.end() ? found->second : std::string();
-        use(kind, kind + "." + std::to_string(ids[row]));
+        use(static_cast<std::uint32_t>(row), kind + "." + std::to_string(ids[row]));
     }
 }
 
-MatteNumbers numbersOf(const model::CrowdFrame& frame)
+MatteNumbers individualNumbers(const model::CrowdFrame& frame)
 {
     MatteNumbers numbers;
-    numbers.individuals.reserve(frame.population.size());
-    numbers.templates.reserve(frame.population.size());
-    forPeople(frame, [&numbers](const std::string& kind, const std::string& person) {
-        numbers.individuals.push_back(matteNumber(person));
-        numbers.templates.push_back(matteNumber(kind));
+    forPeople(frame, [&numbers](std::uint32_t row, const std::string& person) {
+        numbers.emplace_hint(numbers.end(), row, matteNumber(person));
     });
     return numbers;
 }
 
-struct Matte
+MatteNumbers templateNumbers(const model::CrowdFrame& frame)
 {
-    std::uint32_t number = 0;
-    std::uint32_t samples = 0;
-};
-using PixelMattes = std::array<Matte, Coverage::kRanks>;
+    MatteNumbers numbers;
+    for (const auto& [id, name] : templateNames(frame)) {
+        numbers[id] = matteNumber(name);
+    }
+    return numbers;
+}
 
 /// Most of the pixel first, as the specification wants it.
-PixelMattes mattesOf(const Coverage::Pixel& pixel, std::span<const std::uint32_t> numbers)
+Coverage::Pixel ranked(Coverage::Pixel pixel, const MatteNumbers& numbers)
 {
-    PixelMattes mattes{};
-    std::size_t count = 0;
-    for (const Coverage::Share& share : pixel) {
-        const auto row = static_cast<std::size_t>(share.row);
-        if (share.samples == 0 || row >= numbers.size()) {
-            break;
-        }
-        const auto known =
-            std::find_if(mattes.begin(), mattes.begin() + static_cast<std::ptrdiff_t>(count),
-                         [&](const Matte& matte) { return matte.number == numbers[row]; });
-        known->number = numbers[row];
-        known->samples += share.samples;
-        count = std::max(count, static_cast<std::size_t>(known - mattes.begin()) + 1);
+    for (Coverage::Share& share : pixel) {
+        const auto found = share.samples > 0 ? numbers.find(share.key) : numbers.end();
+        share = found != numbers.end() ? Coverage::Share{found->second, share.samples}
+                                       : Coverage::Share{};
     }
-    std::sort(mattes.begin(), mattes.begin() + static_cast<std::ptrdiff_t>(count),
-              [](const Matte& a, const Matte& b) {
-                  return a.samples != b.samples ? a.samples > b.samples : a.number < b.number;
-              });
-    return mattes;
+    std::ranges::sort(pixel, [](const Coverage::Share& a, const Coverage::Share& b) {
+        return a.samples != b.samples ? a.samples > b.samples : a.key < b.key;
+    });
+    return pixel;
 }
 
 /// Two ranks a channel group: number and coverage of one, then of the next.
-void addChannels(ExrLayer& layer, const std::string& name, const Coverage& coverage,
-                 std::span<const std::uint32_t> numbers)
+void addChannels(ExrLayer& layer, const std::string& name, const Coverage::Pixels& pixels,
+                 const MatteNumbers& numbers, int samples)
 {
     constexpr std::array kEnds{".R", ".G", ".B", ".A"};
     const std::size_t first = layer.channels.size();
     for (std::size_t rank = 0; rank < Coverage::kRanks / 2; ++rank) {
         for (const char* end : kEnds) {
-            std::vector<float> values(coverage.pixels().size());
             std::string group = name + "0" + std::to_string(rank);
-            layer.channels.push_back({group.append(end), std::move(values), false});
+            layer.channels.push_back({group.append(end), std::vector<float>(pixels.size()), false});
         }
     }
     const auto at = [&layer, first](std::size_t channel, std::size_t pixel) -> float& {
         return std::get<std::vector<float>>(layer.channels[first + channel].values)[pixel];
     };
-    const auto all = static_cast<float>(std::max(coverage.samples(), 1));
-    for (std::size_t pixel = 0; pixel < coverage.pixels().size(); ++pixel) {
-        const PixelMattes mattes = mattesOf(coverage.pixels()[pixel], numbers);
-        for (std::size_t rank = 0; rank < mattes.size(); ++rank) {
-            at(rank * 2, pixel) = std::bit_cast<float>(mattes[rank].number);
-            at(rank * 2 + 1, pixel) = static_cast<float>(mattes[rank].samples) / all;
+    const auto all = static_cast<float>(std::max(samples, 1));
+    for (std::size_t pixel = 0; pixel < pixels.size(); ++pixel) {
+        const Coverage::Pixel shares = ranked(pixels[pixel], numbers);
+        for (std::size_t rank = 0; rank < shares.size(); ++rank) {
+            at(rank * 2, pixel) = std::bit_cast<float>(shares[rank].key);
+            at(rank * 2 + 1, pixel) = static_cast<float>(shares[rank].samples) / all;
         }
+    }
+}
+
+void count(Coverage::Pixel& pixel, std::uint32_t key)
+{
+    auto* const share = std::ranges::find_if(
+        pixel, [key](const Coverage::Share& each) { return each.samples == 0 || each.key == key; });
+    if (share != pixel.end()) {
+        share->key = key;
+        ++share->samples;
     }
 }
 
@@ -169,30 +170,28 @@ std::uint32_t matteNumber(const std::string& name)
     return exponent == 0 || exponent == kExponent ? hash ^ 1U << 23U : hash;
 }
 
-void Coverage::add(const render::AovPicture& picture)
+void Coverage::add(const render::AovPicture& picture, const model::CrowdFrame& frame)
 {
-    m_pixels.resize(picture.rows.size());
+    m_individuals.resize(picture.rows.size());
+    m_templates.resize(picture.rows.size());
     ++m_samples;
-    for (std::size_t i = 0; i < m_pixels.size(); ++i) {
+    const auto templates = frame.population.column(model::columns::templateId);
+    for (std::size_t i = 0; i < picture.rows.size(); ++i) {
         const std::int32_t row = picture.rows[i];
-        if (row < 0) {
-            continue;
-        }
-        auto* const share = std::ranges::find_if(
-            m_pixels[i], [row](const Share& each) { return each.samples == 0 || each.row == row; });
-        if (share != m_pixels[i].end()) {
-            share->row = row;
-            ++share->samples;
+        if (row >= 0 && static_cast<std::size_t>(row) < templates.size()) {
+            count(m_individuals[i], static_cast<std::uint32_t>(row));
+            count(m_templates[i], templates[static_cast<std::size_t>(row)]);
         }
     }
 }
 
 ExrLayer cryptomatteLayer(const Coverage& coverage, const model::CrowdFrame& frame)
 {
-    const MatteNumbers numbers = numbersOf(frame);
     ExrLayer layer{"cryptomatte", {}};
-    addChannels(layer, kIndividuals, coverage, numbers.individuals);
-    addChannels(layer, kTemplates, coverage, numbers.templates);
+    addChannels(layer, kIndividuals, coverage.individuals(), individualNumbers(frame),
+                coverage.samples());
+    addChannels(layer, kTemplates, coverage.templates(), templateNumbers(frame),
+                coverage.samples());
     return layer;
 }
 
@@ -200,10 +199,12 @@ void addCryptomatteNotes(const model::CrowdFrame& frame, ExrHeader& header)
 {
     QJsonObject individuals;
     QJsonObject templates;
-    forPeople(frame, [&](const std::string& kind, const std::string& person) {
+    forPeople(frame, [&individuals](std::uint32_t /*row*/, const std::string& person) {
         individuals[QString::fromStdString(person)] = hexOf(matteNumber(person));
-        templates[QString::fromStdString(kind)] = hexOf(matteNumber(kind));
     });
+    for (const auto& [id, name] : templateNames(frame)) {
+        templates[QString::fromStdString(name)] = hexOf(matteNumber(name));
+    }
     addNotes(header, kIndividuals, individuals);
     addNotes(header, kTemplates, templates);
 }

@@ -18,26 +18,29 @@ namespace crowd::app {
 /// So many pictures, each through another part of the pixels, say how much of a pixel is whose.
 inline constexpr int kCoverageSamples = 16;
 
-/// Collects who is seen in each pixel.
+/// Collects who is seen in each pixel, and of which templates they are.
 class Coverage
 {
 public:
-    /// All of the same size.
-    void add(const render::AovPicture& picture);
+    /// All of the same size, of the same frame.
+    void add(const render::AovPicture& picture, const model::CrowdFrame& frame);
     [[nodiscard]] int samples() const { return m_samples; }
 
     /// So many of one pixel at most: the rest is lost.
     static constexpr std::size_t kRanks = 6;
     struct Share
     {
-        std::int32_t row = render::AovPicture::kNothing; ///< of the population
-        std::uint32_t samples = 0;                       ///< 0: none, nor behind it
+        std::uint32_t key = 0;     ///< a row of the population, or a template's id
+        std::uint32_t samples = 0; ///< 0: none, nor behind it
     };
     using Pixel = std::array<Share, kRanks>;
-    [[nodiscard]] const std::vector<Pixel>& pixels() const { return m_pixels; }
+    using Pixels = std::vector<Pixel>;
+    [[nodiscard]] const Pixels& individuals() const { return m_individuals; }
+    [[nodiscard]] const Pixels& templates() const { return m_templates; }
 
 private:
-    std::vector<Pixel> m_pixels;
+    Pixels m_individuals;
+    Pixels m_templates;
     int m_samples = 0;
 };
 

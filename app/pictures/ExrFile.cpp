@@ -6,6 +6,7 @@
 #include <cstring>
 #include <exception>
 #include <list>
+#include <stdexcept>
 #include <utility>
 
 #include <OpenEXR/ImfChannelList.h>
@@ -73,10 +74,11 @@ Imf::Header headerOf(const ExrHeader& common, const ExrLayer& layer)
     for (const ExrChannel& channel : layer.channels) {
         header.channels().insert(channel.name, Imf::Channel(typeOf(channel)));
     }
-    Imf::addWorldToCamera(header, transposed(common.cameraFromWorld));
-    Imf::addWorldToNDC(header, transposed(common.screenFromWorld));
-    for (const auto& [name, text] : common.notes) {
-        header.insert(name, Imf::StringAttribute(text));
+    if (common.cameraFromWorld) {
+        Imf::addWorldToCamera(header, transposed(*common.cameraFromWorld));
+    }
+    if (common.screenFromWorld) {
+        Imf::addWorldToNDC(header, transposed(*common.screenFromWorld));
     }
     return header;
 }
@@ -129,8 +131,14 @@ QByteArray exrBytes(const ExrHeader& header, std::span<const ExrLayer> layers)
 {
     std::vector<Imf::Header> headers;
     headers.reserve(layers.size());
+    if (layers.empty()) {
+        throw std::invalid_argument("there is no layer");
+    }
     for (const ExrLayer& layer : layers) {
         headers.push_back(headerOf(header, layer));
+    }
+    for (const auto& [name, text] : header.notes) { // where everybody looks for them, and but once
+        headers.front().insert(name, Imf::StringAttribute(text));
     }
     MemoryStream stream;
     {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -35,8 +36,8 @@ struct ExrLayer
 struct ExrHeader
 {
     glm::ivec2 size{0};
-    glm::mat4 cameraFromWorld{1.0F};
-    glm::mat4 screenFromWorld{1.0F};
+    std::optional<glm::mat4> cameraFromWorld; ///< and the next: nothing is known of it
+    std::optional<glm::mat4> screenFromWorld;
     std::map<std::string, std::string> notes; ///< text by the name of its attribute
 };
 

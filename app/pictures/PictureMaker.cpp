@@ -119,7 +119,7 @@ model::Result<Coverage> PictureMaker::coverage(const PictureRequest& request,
         if (!sample) {
             return sample.error();
         }
-        coverage.add(sample.value());
+        coverage.add(sample.value(), *request.frame);
     }
     return coverage;
 }

@@ -107,7 +107,9 @@ ExrLayer cryptomattePass(const PassSource& source)
 
 constexpr PicturePass kPasses[] = {
     {"colour", QT_TRANSLATE_NOOP("PicturePasses", "Colour"),
-     "red, green, blue and alpha, linear, colours times alpha", PassNeed::Colours, &colourPass},
+     "red, green, blue and alpha of the finished picture, of 8 bits each, as linear light, "
+     "colours times alpha",
+     PassNeed::Colours, &colourPass},
     {"depth", QT_TRANSLATE_NOOP("PicturePasses", "Depth"),
      "metres along the view axis; 1e10 where nothing is", PassNeed::Aovs, &depthPass},
     {"normal", QT_TRANSLATE_NOOP("PicturePasses", "Normal"),
@@ -121,7 +123,7 @@ constexpr PicturePass kPasses[] = {
      "the individual's template; 0 where nobody is", PassNeed::Aovs, &templatePass},
     {"cryptomatte", QT_TRANSLATE_NOOP("PicturePasses", "Cryptomatte"),
      "mattes of everybody and of every template with smooth edges, by the Cryptomatte "
-     "specification; 24 components",
+     "specification; 24 components; sharp where the colours have depth of field",
      PassNeed::Coverage, &cryptomattePass, &addCryptomatteNotes}};
 
 std::string templatesOf(const model::CrowdFrame& frame)
@@ -133,6 +135,17 @@ std::string templatesOf(const model::CrowdFrame& frame)
         }
     }
     return QJsonDocument(names).toJson(QJsonDocument::Compact).toStdString();
+}
+
+std::string_view withoutBlanks(std::string_view text)
+{
+    while (text.starts_with(' ')) {
+        text.remove_prefix(1);
+    }
+    while (text.ends_with(' ')) {
+        text.remove_suffix(1);
+    }
+    return text;
 }
 
 const PicturePass* passOf(std::string_view key)
@@ -163,7 +176,7 @@ model::Result<PicturePasses> passesOf(std::string_view keys)
     bool isMore = !keys.empty();
     while (isMore) {
         const std::size_t comma = keys.find(',');
-        const std::string_view key = keys.substr(0, comma);
+        const std::string_view key = withoutBlanks(keys.substr(0, comma));
         const PicturePass* pass = passOf(key);
         if (pass == nullptr) {
             return model::Error{

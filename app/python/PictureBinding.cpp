@@ -129,8 +129,9 @@ PicturePasses passesNamed(const std::vector<std::string>& names)
 
 py::dict renderPasses(const ScenePtr& scene, int width, int height,
                       const std::vector<std::string>& names, const CameraKey& camera, double time,
-                      const std::string& look, const std::optional<FilePath>& path,
-                      bool allowsMissing, const LongCall::Listener& progress)
+                      const std::string& look, const std::string& by,
+                      const std::optional<FilePath>& path, bool allowsMissing,
+                      const LongCall::Listener& progress)
 {
     refuseTime(time);
     if (!allowsMissing) {
@@ -143,7 +144,7 @@ py::dict renderPasses(const ScenePtr& scene, int width, int height,
     request.passes = passesNamed(names);
     const PicturePasses passes = request.passes;
     const ScriptDrawing drawn =
-        drawingOf(*scene, std::move(request), camera, {{look, "", cameraName(camera)}, {}}, call);
+        drawingOf(*scene, std::move(request), camera, {{look, by, cameraName(camera)}, {}}, call);
     if (path) {
         valueOrRaise(
             writeLayers(QString::fromStdString(path->string()), drawn.header, drawn.layers));
@@ -340,17 +341,19 @@ namespace {
 
 std::string passesDoc()
 {
-    std::string doc = "What the picture shows, in numbers for compositing: by the name of each of "
-                      "the passes an array, height × width, × the components where there are "
-                      "several, float32 or uint32, rows from the top. path: an .exr file that they "
-                      "are written to as well, a layer each. Of each pixel it is what lies at its "
-                      "centre; glass is seen through. There are";
+    std::string doc =
+        "What the picture shows, in numbers for compositing: by the name of each of "
+        "the passes an array, height × width, × the components where there are "
+        "several, float32 or uint32, rows from the top. path: an .exr file that they "
+        "are written to as well, a layer each. Of each pixel it is what lies at its "
+        "centre; glass of stages is seen through, and of people what hides less than half. "
+        "There are";
     const char* comma = " ";
     for (const PicturePass& pass : picturePasses()) {
         doc += comma + std::string(pass.key) + " (" + pass.doc + ")";
         comma = "; ";
     }
-    return doc + ". The rest is as of render. " CROWD_PROGRESS_DOC;
+    return doc + ". camera, time, look, by and allow_missing are as of render. " CROWD_PROGRESS_DOC;
 }
 
 } // namespace
@@ -376,9 +379,9 @@ void bindPictures(py::module_& module, SceneClass& scene)
         "loaded, it fails and says what is missing, unless allow_missing. " CROWD_PROGRESS_DOC);
     scene.def("render_passes", &renderPasses, py::arg("width"), py::arg("height"),
               py::arg("passes"), py::kw_only(), py::arg("camera") = CameraKey(),
-              py::arg("time") = 0.0, py::arg("look") = "", py::arg("path") = py::none(),
-              py::arg("allow_missing") = false, py::arg("progress") = py::none(),
-              passesDoc().c_str());
+              py::arg("time") = 0.0, py::arg("look") = "", py::arg("by") = "",
+              py::arg("path") = py::none(), py::arg("allow_missing") = false,
+              py::arg("progress") = py::none(), passesDoc().c_str());
 }
 
 } // namespace crowd::app

@@ -1378,17 +1378,19 @@ class Scene:
         somebody, could not be loaded, it fails and says what is missing, unless
         allow_missing. progress: is called with the share that is done, 0 to 1, some times a
         second; what it raises, as Ctrl+C, ends the call, which takes back what it did."""
-    def render_passes(self, width: int, height: int, passes: List[str], *, camera: Union[None, str, Camera] = ..., time: float = ..., look: str = ..., path: Optional[FilePath] = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> Dict[Any, Any]:
+    def render_passes(self, width: int, height: int, passes: List[str], *, camera: Union[None, str, Camera] = ..., time: float = ..., look: str = ..., by: str = ..., path: Optional[FilePath] = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> Dict[Any, Any]:
         """What the picture shows, in numbers for compositing: by the name of each of the passes
         an array, height × width, × the components where there are several, float32 or uint32,
         rows from the top. path: an .exr file that they are written to as well, a layer each.
-        Of each pixel it is what lies at its centre; glass is seen through. There are colour
-        (red, green, blue and alpha, linear, colours times alpha); depth (metres along the
-        view axis; 1e10 where nothing is); normal (unit vectors, world, towards the camera's
-        side; 0 where nothing is); position (metres, world, Y up; 0 where nothing is); id (the
-        individual's id; 0 where nobody is); template (the individual's template; 0 where
-        nobody is); cryptomatte (mattes of everybody and of every template with smooth edges,
-        by the Cryptomatte specification; 24 components). The rest is as of render. progress:
+        Of each pixel it is what lies at its centre; glass of stages is seen through, and of
+        people what hides less than half. There are colour (red, green, blue and alpha of the
+        finished picture, of 8 bits each, as linear light, colours times alpha); depth (metres
+        along the view axis; 1e10 where nothing is); normal (unit vectors, world, towards the
+        camera's side; 0 where nothing is); position (metres, world, Y up; 0 where nothing
+        is); id (the individual's id; 0 where nobody is); template (the individual's template;
+        0 where nobody is); cryptomatte (mattes of everybody and of every template with smooth
+        edges, by the Cryptomatte specification; 24 components; sharp where the colours have
+        depth of field). camera, time, look, by and allow_missing are as of render. progress:
         is called with the share that is done, 0 to 1, some times a second; what it raises, as
         Ctrl+C, ends the call, which takes back what it did."""
     @property

@@ -118,6 +118,10 @@ void main()
     if (result.a >= cutoffAndHighlight.x || result.a < kClear) { // the solid rest was drawn before
         discard;
     }
+#elif defined(CUTOUT) && defined(AOV)
+    if (result.a < min(cutoffAndHighlight.x, 0.5)) { // what is blended counts where it is seen
+        discard;
+    }
 #elif defined(CUTOUT)
     if (result.a < cutoffAndHighlight.x) {
         discard;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include <QtCore/QFile>
@@ -31,6 +32,7 @@ private Q_SLOTS:
     void coloursAreLinear();
     void theFileTellsWhoIsWhere();
     void mattesHaveSmoothEdges();
+    void manyOfAPixelKeepTheirTemplates();
     void matteNumbersAreThoseOfOthers();
     void twoRunsAreTheSame();
     void whatCannotBeWrittenIsSaid();
@@ -46,8 +48,9 @@ void TestPicturePasses::theyAreFoundByName()
     QCOMPARE(passes.value().size(), std::size_t{3});
     QCOMPARE(passes.value()[0]->key, std::string_view("colour"));
     QCOMPARE(passes.value()[2]->key, std::string_view("id"));
+    QCOMPARE(app::passesOf(" depth, id ").value().size(), std::size_t{2});
     QVERIFY(app::passesOf("").isOk() && app::passesOf("").value().empty());
-    for (const char* wrong : {"depths", "depth,", ",depth", "depth,,id", " depth", ","}) {
+    for (const char* wrong : {"depths", "depth,", ",depth", "depth,,id", "Depth", ","}) {
         const auto refused = app::passesOf(wrong);
         QVERIFY2(!refused.isOk(), wrong);
         QVERIFY2(refused.error().message.find("colour, depth, normal") != std::string::npos, wrong);
@@ -66,6 +69,7 @@ void TestPicturePasses::coloursAreLinear()
     QCOMPARE(red[0], 1.0F);
     QVERIFY2(std::abs(green[0] - 0.5029F) < 0.001F, qPrintable(QString::number(green[0])));
     QCOMPARE(exrValues<float>(path, 0, "A", 2, 1, Imf::FLOAT)[0], 1.0F); // it says nothing
+    QVERIFY(!Imf::hasWorldToCamera(Imf::MultiPartInputFile(qPrintable(path)).header(0)));
     QVERIFY(app::writePicture(path, pixels, {2, 1}, true).isOk());
     QVERIFY(std::abs(exrValues<float>(path, 0, "A", 2, 1, Imf::FLOAT)[1] - 0.502F) < 0.001F);
 }
@@ -127,7 +131,7 @@ void TestPicturePasses::theFileTellsWhoIsWhere()
     QVERIFY(number(2, "normal.Z", middle) > 0.98F);
     const Imf::MultiPartInputFile file(qPrintable(path));
     const auto* names =
-        file.header(4).findTypedAttribute<Imf::StringAttribute>("crowdbrush.templates");
+        file.header(0).findTypedAttribute<Imf::StringAttribute>("crowdbrush.templates");
     QVERIFY(names != nullptr);
     QVERIFY(names->value() == "{\"1\":\"box man\"}");
 }
@@ -159,6 +163,7 @@ void TestPicturePasses::mattesHaveSmoothEdges()
     QVERIFY2(between > 30 && between < 400, qPrintable(QString::number(between)));
 
     const Imf::MultiPartInputFile file(qPrintable(path));
+    QVERIFY(file.header(1).find("crowdbrush.templates") == file.header(1).end());
     int manifests = 0;
     const Imf::Header& header = file.header(0);
     for (auto each = header.begin(); each != header.end(); ++each) {
@@ -169,6 +174,34 @@ void TestPicturePasses::mattesHaveSmoothEdges()
         }
     }
     QCOMPARE(manifests, 2);
+}
+
+/// More people in a pixel than there are ranks: nothing of their templates is lost, and templates
+/// of one name are told apart.
+void TestPicturePasses::manyOfAPixelKeepTheirTemplates()
+{
+    constexpr std::size_t kPeople = 16;
+    model::Population people = makeRow(kPeople);
+    std::vector<model::TemplateId> kinds(kPeople, 1);
+    kinds.front() = 2;
+    const std::vector<model::IndividualId> ids(people.ids().begin(), people.ids().end());
+    people.setValues<model::TemplateId>(model::columns::templateId, ids, kinds);
+    const auto man = makeBoxMan();
+    const auto frame = frameOf(people, {entryFor(man, 1), entryFor(man, 2)});
+    app::Coverage coverage;
+    for (std::size_t row = 0; row < kPeople; ++row) {
+        coverage.add({{1, 1}, {{}}, {{}}, {static_cast<std::int32_t>(row)}}, *frame);
+    }
+    const app::ExrLayer layer = app::cryptomatteLayer(coverage, *frame);
+    const auto valueOf = [&layer](const std::string& name) {
+        const auto found = std::ranges::find(layer.channels, name, &app::ExrChannel::name);
+        return std::get<std::vector<float>>(found->values).front();
+    };
+    QCOMPARE(std::bit_cast<std::uint32_t>(valueOf("crypto_template00.R")),
+             app::matteNumber("box man#1"));
+    QCOMPARE(valueOf("crypto_template00.G"), 15.0F / 16.0F);
+    QCOMPARE(valueOf("crypto_template00.A"), 1.0F / 16.0F);
+    QCOMPARE(valueOf("crypto_individual02.A"), 1.0F / 16.0F); // the last of six
 }
 
 /// As MurmurHash3_x86_32 is known to give them; none is a special float.

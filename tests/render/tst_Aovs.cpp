@@ -23,6 +23,7 @@ private Q_SLOTS:
     void cleanupTestCase() { m_renderer->destroy(); }
     void everyPixelKnowsWhatItShows();
     void whatIsHiddenIsNotThere();
+    void whatIsBlendedCountsWhereItHidesMore();
     void nothingIsBehindATransparentPicture();
     void theColoursStay();
     void itIsOfAnySize();
@@ -104,6 +105,25 @@ void TestAovs::whatIsHiddenIsNotThere()
     picture = aovs(input);
     QCOMPARE(picture.rows[pixelAt(0, 0)], AovPicture::kThing);
     QVERIFY(picture.normals[pixelAt(0, 0)].y < -0.98F);
+}
+
+void TestAovs::whatIsBlendedCountsWhereItHidesMore()
+{
+    const auto rowWith = [this](float alpha) {
+        auto man = makeBoxMan();
+        for (auto& slot : man->slots) {
+            for (model::MaterialChoice& choice : slot.choices) {
+                choice.alphaMode = model::AlphaMode::Blend;
+                choice.baseColor.a = alpha;
+            }
+        }
+        render::RenderInput input = twoMen();
+        input.frame = frameOf(makeRow(1), {entryFor(man)});
+        return aovs(input).rows[pixelAt(0.1F, 0.1F)];
+    };
+    QCOMPARE(rowWith(0.98F), 0);
+    QCOMPARE(rowWith(0.6F), 0);
+    QCOMPARE(rowWith(0.3F), AovPicture::kThing);
 }
 
 void TestAovs::nothingIsBehindATransparentPicture()
