@@ -161,11 +161,11 @@ struct PictureKey
     LensWish lens{};
 };
 
-/// crowdbrush.Picture of the scene at a time, or of this frame.
 /// What scripts ask for with a picture is checked here; what stops it is raised.
 [[nodiscard]] ScriptDrawing drawingOf(ScriptScene& scene, ScriptPicture request,
                                       const CameraKey& camera, const PictureKey& look,
                                       LongCall& call);
+/// crowdbrush.Picture of the scene at a time, or of this frame.
 [[nodiscard]] py::object pictureOf(ScriptScene& scene, const glm::ivec2& size,
                                    const CameraKey& camera, const PictureKey& look, double time,
                                    model::CrowdFramePtr frame, LongCall& call);
