@@ -21,6 +21,10 @@ struct AovPicture
     std::vector<glm::vec3> places;
     std::vector<glm::vec3> normals; ///< unit, towards who looks
     std::vector<std::int32_t> rows; ///< of the frame's population
+    /// Where the same point of the surface was at the earlier moment, as a way from here: pixels,
+    /// right and up. The sky is far away: it moves as the camera turns. Who was not there then has
+    /// not moved. Empty where no earlier moment is given.
+    std::vector<glm::vec2> before;
 };
 
 } // namespace crowd::render

@@ -94,6 +94,13 @@ struct InkLine
     glm::vec3 color{0.0F};
 };
 
+/// What was shown a moment before, and from where.
+struct EarlierMoment
+{
+    model::CrowdFramePtr frame; ///< null: nobody was there
+    model::Camera camera;
+};
+
 struct RenderInput
 {
     RenderInput(const model::View& pictureView, model::KeyframeStore& store)
@@ -114,6 +121,8 @@ struct RenderInput
     std::span<const model::Light> lights;
     Look look = Look::Lit;
     std::optional<InkLine> ink = std::nullopt; ///< instead of the look's
+    /// What drawAovs() says motion against; none: nothing is said of it.
+    std::optional<EarlierMoment> earlier = std::nullopt;
     LevelThresholds levels;
     int samples = 4; ///< per pixel; 0: no anti-aliasing
     /// Where edges are found in the finished picture they are drawn smooth: a fraction of the price

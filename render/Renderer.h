@@ -47,7 +47,8 @@ public:
     [[nodiscard]] glm::ivec2 size() const;
 
     /// What the picture of this input shows, besides its colours: the same people at the same
-    /// levels, without anything that is drawn over them. What was drawn last stays in readPixels().
+    /// levels, without anything that is drawn over them; against input.earlier, how they move. What
+    /// was drawn last stays in readPixels().
     [[nodiscard]] model::Result<AovPicture> drawAovs(const RenderInput& input);
 
     [[nodiscard]] const RenderStatistics& statistics() const;

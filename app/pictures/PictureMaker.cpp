@@ -94,10 +94,15 @@ model::Result<void> PictureMaker::draw(const PictureRequest& request,
 model::Result<render::AovPicture> PictureMaker::aovs(const PictureRequest& request,
                                                      const PicturePasses& passes)
 {
-    if (!needAny(passes, PassNeed::Aovs)) {
+    const bool needsMotion = needAny(passes, PassNeed::Motion);
+    if (!needsMotion && !needAny(passes, PassNeed::Aovs)) {
         return render::AovPicture();
     }
-    return m_renderer.drawAovs(inputOf(request, m_keyframes));
+    render::RenderInput input = inputOf(request, m_keyframes);
+    if (needsMotion) {
+        input.earlier = request.earlier;
+    }
+    return m_renderer.drawAovs(input);
 }
 
 model::Result<Coverage> PictureMaker::coverage(const PictureRequest& request,

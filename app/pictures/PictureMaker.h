@@ -34,6 +34,8 @@ struct PictureRequest
     bool showShadows = true;
     bool isTransparent = false;         ///< see render::RenderInput
     std::optional<render::Lens> lens{}; ///< none: everything is sharp
+    /// A frame earlier, for the pass that says how everything moves; none: it stands.
+    std::optional<render::EarlierMoment> earlier{};
 };
 
 /// Draws scenes without a window: owns a context and a renderer. Used on the thread that made it,

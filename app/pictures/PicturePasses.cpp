@@ -71,6 +71,23 @@ ExrLayer positionPass(const PassSource& source)
     return vectorPass("position", source.aovs.places, false);
 }
 
+/// Named as compositing programs know it, which blur along it.
+ExrLayer motionPass(const PassSource& source)
+{
+    const AovPicture& aovs = source.aovs;
+    ExrLayer layer{"backward", {}};
+    constexpr std::array kAxes{".u", ".v"};
+    for (int axis = 0; axis < 2; ++axis) {
+        ExrChannel channel =
+            floatsOf(layer.name + kAxes[static_cast<std::size_t>(axis)], aovs.rows.size());
+        // Without a moment before nothing has moved.
+        std::ranges::transform(aovs.before, floats(channel).begin(),
+                               [axis](const glm::vec2& each) { return each[axis]; });
+        layer.channels.push_back(std::move(channel));
+    }
+    return layer;
+}
+
 /// Whatever a person has, 0 where there is none.
 template<class Of>
 ExrLayer numberPass(const std::string& name, const PassSource& source, const Of& of)
@@ -117,6 +134,10 @@ constexpr PicturePass kPasses[] = {
      &normalPass},
     {"position", QT_TRANSLATE_NOOP("PicturePasses", "Position"),
      "metres, world, Y up; 0 where nothing is", PassNeed::Aovs, &positionPass},
+    {"motion", QT_TRANSLATE_NOOP("PicturePasses", "Motion"),
+     "pixels, right and up, to where the same point was a frame earlier; 0 where somebody was not "
+     "there yet",
+     PassNeed::Motion, &motionPass},
     {"id", QT_TRANSLATE_NOOP("PicturePasses", "Individual"),
      "the individual's id; 0 where nobody is", PassNeed::Aovs, &individualPass},
     {"template", QT_TRANSLATE_NOOP("PicturePasses", "Template"),

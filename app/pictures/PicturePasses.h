@@ -31,6 +31,7 @@ struct PassSource
 enum class PassNeed : std::uint8_t {
     Colours,
     Aovs,    ///< of the middle of each pixel
+    Motion,  ///< the same, against the moment before
     Coverage ///< all of each pixel
 };
 

@@ -216,6 +216,18 @@ void CrowdGpu::update(const RenderInput& input)
         {*input.frame, m_recordTemplates, input.seats, input.seatsVersion, m_templatesVersion});
 }
 
+bool CrowdGpu::useAlso(const RenderInput& input)
+{
+    const auto isSame = [](const TemplateEntry& a, const TemplateEntry& b) {
+        return a.id == b.id && a.asset == b.asset && a.clipNames == b.clipNames;
+    };
+    if (!std::ranges::equal(*input.frame->templates, *m_entries, isSame)) {
+        return false;
+    }
+    useShownClips(input);
+    return true;
+}
+
 void CrowdGpu::upload(RenderStatistics& statistics)
 {
     const std::span<const PlacementRecord> placements = m_records.placements();

@@ -33,6 +33,9 @@ public:
     void initialize();
     /// Of the frame; without one, time passes for what is not used.
     void update(const RenderInput& input);
+    /// Has the clips of another moment of the same people as well, until the next update. False: it
+    /// is of other templates.
+    [[nodiscard]] bool useAlso(const RenderInput& input);
     /// Sends what changed.
     void upload(RenderStatistics& statistics);
     /// Templates that the last picture did not mention go at once.
@@ -47,6 +50,11 @@ public:
     }
     /// One per template of the frame.
     [[nodiscard]] std::span<const PlanTemplate> templates() const { return m_planTemplates; }
+    [[nodiscard]] std::span<const RecordTemplate> recordTemplates() const
+    {
+        return m_recordTemplates;
+    }
+    [[nodiscard]] std::uint64_t templatesVersion() const { return m_templatesVersion; }
     [[nodiscard]] const StaticRecords& records() const { return m_records; }
     [[nodiscard]] const CrowdRows& rows() const { return m_rows; }
 

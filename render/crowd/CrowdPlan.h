@@ -87,6 +87,7 @@ public:
         LevelThresholds thresholds;
         std::span<const model::IndividualId> selected; ///< ascending
         model::IndividualId hovered = 0;
+        bool isOfAll = false; ///< also of those out of view
     };
     /// Fills instances() and runs(): ordered by level (finest first), template, distance in coarse
     /// steps (nearest first), keyframe, row.

@@ -148,6 +148,9 @@ PlanLook::PlanLook(const CrowdPlan::Request& request)
     for (glm::vec4& plane : m_eye.planes) {
         plane /= glm::length(glm::vec3(plane));
     }
+    if (request.isOfAll) {
+        m_eye.planes.fill(glm::vec4(0.0F, 0.0F, 0.0F, 1.0F));
+    }
     m_eye.depth = glm::vec4(camera.forward(), -glm::dot(camera.forward(), camera.position));
     const bool isPerspective = camera.projection == Projection::Perspective;
     m_eye.perDepth = isPerspective ? 1.0F : 0.0F;

@@ -37,16 +37,21 @@ void readRows(GLenum attachment, glm::ivec2 size, const Use& use)
 
 } // namespace
 
-model::Result<void> AovTarget::begin(glm::ivec2 size)
+model::Result<void> AovTarget::begin(glm::ivec2 size, bool hasMotion)
 {
     m_size = size;
+    m_hasMotion = hasMotion;
     m_frame = GlFramebuffer::create();
     glBindFramebuffer(GL_FRAMEBUFFER, m_frame.name());
     m_places = attachStorage(GL_RGBA32F, GL_COLOR_ATTACHMENT0, size);
     m_normals = attachStorage(GL_RGBA16F, GL_COLOR_ATTACHMENT1, size);
+    if (hasMotion) {
+        m_before = attachStorage(GL_RG32F, GL_COLOR_ATTACHMENT2, size);
+    }
     m_depth = attachStorage(GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT, size);
-    constexpr std::array<GLenum, 2> kDrawn{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-    glDrawBuffers(static_cast<GLsizei>(kDrawn.size()), kDrawn.data());
+    constexpr std::array<GLenum, 3> kDrawn{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1,
+                                           GL_COLOR_ATTACHMENT2};
+    glDrawBuffers(hasMotion ? 3 : 2, kDrawn.data());
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
         return model::Error{
             QT_TRANSLATE_NOOP("Messages", "The graphics driver offers no framebuffer of numbers of "
@@ -58,6 +63,9 @@ model::Result<void> AovTarget::begin(glm::ivec2 size)
     constexpr std::array<float, 4> kFlat{0.0F, 0.0F, 0.0F, 0.0F};
     glClearBufferfv(GL_COLOR, 0, kEmpty.data());
     glClearBufferfv(GL_COLOR, 1, kFlat.data());
+    if (hasMotion) {
+        glClearBufferfv(GL_COLOR, 2, kFlat.data());
+    }
     glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     return {};
 }
@@ -77,6 +85,11 @@ AovPicture AovTarget::take()
     });
     readRows(GL_COLOR_ATTACHMENT1, m_size,
              [&picture](const glm::vec4& pixel) { picture.normals.emplace_back(pixel); });
+    if (m_hasMotion) {
+        picture.before.reserve(count);
+        readRows(GL_COLOR_ATTACHMENT2, m_size,
+                 [&picture](const glm::vec4& pixel) { picture.before.emplace_back(pixel); });
+    }
     *this = {};
     return picture;
 }

@@ -9,12 +9,13 @@
 
 namespace crowd::render {
 
-/// The framebuffer that places and normals are drawn into, with one sample a pixel; see aov.glsl.
+/// The framebuffer that places, normals and motion are drawn into, with one sample a pixel; see
+/// aov.glsl.
 class AovTarget
 {
 public:
     /// Made anew; bound, and empty.
-    [[nodiscard]] model::Result<void> begin(glm::ivec2 size);
+    [[nodiscard]] model::Result<void> begin(glm::ivec2 size, bool hasMotion);
     /// What was drawn. The framebuffer goes: pictures are larger than anything else that is kept.
     [[nodiscard]] AovPicture take();
 
@@ -23,6 +24,8 @@ private:
     GlFramebuffer m_frame;
     GlRenderbuffer m_places;
     GlRenderbuffer m_normals;
+    GlRenderbuffer m_before;
+    bool m_hasMotion = false;
     GlRenderbuffer m_depth;
 };
 

@@ -26,6 +26,9 @@ void PassContext::setCommon(ShaderProgram& program) const
     if (!style.lights.empty()) {
         setLights(program);
     }
+    if (earlier != nullptr) {
+        setEarlier(program);
+    }
     if (style.highlights > 0.0F) {
         setHighlights(program);
     }
@@ -49,6 +52,13 @@ void PassContext::setHighlights(ShaderProgram& program) const
     program.set("mirroredZenith", style.light.zenith);
     program.set("mirroredHorizon", style.light.horizon);
     program.set("mirroredGround", style.groundColor);
+}
+
+void PassContext::setEarlier(ShaderProgram& program) const
+{
+    const model::View before(input.earlier->camera, input.view.size());
+    program.set("earlierViewProjection", before.viewProjection());
+    program.set("pictureSize", glm::vec2(pixelSize));
 }
 
 void PassContext::setLights(ShaderProgram& program) const

@@ -12,6 +12,7 @@
 
 namespace crowd::render {
 
+class EarlierRows;
 class ShaderProgram;
 
 /// Shadows that surfaces receive: what they need to look at the sun's map.
@@ -42,8 +43,9 @@ struct PassContext
     glm::ivec2 pixelSize;
     bool isSoftware = false; ///< llvmpipe: work is handed over in small pieces
     RenderStatistics& statistics;
-    ReceivedShadows shadows{};   ///< where style.castsShadows()
-    LightShadows lightShadows{}; ///< where style.castingLights > 0
+    ReceivedShadows shadows{};            ///< where style.castsShadows()
+    LightShadows lightShadows{};          ///< where style.castingLights > 0
+    const EarlierRows* earlier = nullptr; ///< of the people, where motion is drawn
 
     /// Camera and light of a program in use.
     void setCommon(ShaderProgram& program) const;
@@ -51,6 +53,7 @@ struct PassContext
 
 private:
     void setLights(ShaderProgram& program) const;
+    void setEarlier(ShaderProgram& program) const;
     void setHighlights(ShaderProgram& program) const;
 };
 

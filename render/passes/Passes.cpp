@@ -99,6 +99,29 @@ void clear(const PassContext& context)
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
+/// Where nothing is, it is as far as can be.
+void moveSky(const RenderInput& input, AovPicture& picture)
+{
+    constexpr float kFar = 1e5F; // metres
+    const model::View before(input.earlier->camera, glm::vec2(picture.size));
+    const model::View now(input.view.camera(), glm::vec2(picture.size));
+    if (now.camera().projection != model::Projection::Perspective) {
+        return;
+    }
+    for (std::size_t i = 0; i < picture.rows.size(); ++i) {
+        if (picture.rows[i] == AovPicture::kNothing) {
+            const auto width = static_cast<std::size_t>(picture.size.x);
+            const glm::vec2 pixel(static_cast<float>(i % width) + 0.5F,
+                                  static_cast<float>(i / width) + 0.5F);
+            const glm::vec3 there =
+                before.camera().position + now.rayThrough(pixel).direction * kFar;
+            const std::optional<glm::vec3> seen = before.project(there);
+            picture.before[i] =
+                seen ? glm::vec2(seen->x - pixel.x, pixel.y - seen->y) : glm::vec2(0.0F);
+        }
+    }
+}
+
 } // namespace
 
 model::Result<void> Passes::initialize()
@@ -186,10 +209,16 @@ model::Result<void> Passes::draw(PassContext context)
     return {};
 }
 
-model::Result<AovPicture> Passes::drawAovs(const PassContext& context)
+model::Result<AovPicture> Passes::drawAovs(PassContext context)
 {
     prepare(context);
-    auto drawn = aovs.begin(context.pixelSize);
+    if (context.input.earlier) {
+        context.earlier = &earlier;
+        if (context.input.frame) {
+            earlier.update(context.input, crowd);
+        }
+    }
+    auto drawn = aovs.begin(context.pixelSize, context.earlier != nullptr);
     for (const PassInfo& pass : kPasses) {
         if (drawn && pass.isSolid && (pass.isNeeded == nullptr || pass.isNeeded(context))) {
             drawn = pass.draw(*this, context);
@@ -199,7 +228,11 @@ model::Result<AovPicture> Passes::drawAovs(const PassContext& context)
         aovs = {};
         return drawn.error();
     }
-    return aovs.take();
+    AovPicture picture = aovs.take();
+    if (context.input.earlier) {
+        moveSky(context.input, picture);
+    }
+    return picture;
 }
 
 model::Result<void> Passes::finish(const PassContext& context, const std::uint32_t* framebuffer)

@@ -4,6 +4,7 @@
 #include "model/base/Result.h"
 #include "render/crowd/CrowdGpu.h"
 #include "render/crowd/CrowdView.h"
+#include "render/crowd/EarlierRows.h"
 #include "render/gl/AovTarget.h"
 #include "render/gl/DepthCopy.h"
 #include "render/gl/PictureSum.h"
@@ -33,6 +34,7 @@ struct Passes
     AovTarget aovs;
     CrowdGpu crowd;   ///< whoever looks
     CrowdView seen{}; ///< by the camera
+    EarlierRows earlier;
     PeopleDrawing peopleDrawing;
     PeoplePass people{peopleDrawing};
     GhostPass ghosts{peopleDrawing};
@@ -54,8 +56,8 @@ struct Passes
     [[nodiscard]] model::Result<void> initialize();
     /// Into the target, which has begun.
     [[nodiscard]] model::Result<void> draw(PassContext context);
-    /// Places and normals of what is solid; the target stays as it is.
-    [[nodiscard]] model::Result<AovPicture> drawAovs(const PassContext& context);
+    /// Places, normals and motion of what is solid; the target stays as it is.
+    [[nodiscard]] model::Result<AovPicture> drawAovs(PassContext context);
     /// From the target to a framebuffer, or to the target's own if it is null.
     [[nodiscard]] model::Result<void> finish(const PassContext& context,
                                              const std::uint32_t* framebuffer);

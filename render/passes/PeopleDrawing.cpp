@@ -6,6 +6,8 @@
 
 #include <epoxy/gl.h>
 
+#include "render/crowd/EarlierRows.h"
+
 namespace crowd::render {
 
 namespace {
@@ -27,6 +29,7 @@ PeopleDrawing::PeopleDrawing()
           program.set("clipBoxes", kTemplateUnit + 1);
           program.set("materials", kTemplateUnit + 2);
           program.set("images", kPicturesUnit);
+          program.set("earlier", kEarlierUnit);
       })
 {
 }
@@ -72,6 +75,9 @@ Result<void> PeopleDrawing::draw(const PassContext& context, const CrowdDraw& dr
     const TemplateGpu::Level& level = gpu.level(run.level);
     drawing.rows.placement.bind(kPlacementUnit);
     drawing.rows.appearance.bind(kAppearanceUnit);
+    if (context.earlier != nullptr) {
+        context.earlier->bind(kEarlierUnit);
+    }
     gpu.bindTables(run.level, kTemplateUnit);
     glBindVertexArray(level.array.name());
     glBindBuffer(GL_ARRAY_BUFFER, drawing.instances.name());

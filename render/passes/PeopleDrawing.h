@@ -17,6 +17,7 @@ namespace crowd::render {
 
 inline constexpr int kPlacementUnit = 0; ///< texture unit of CrowdRows::placement
 inline constexpr int kAppearanceUnit = 1;
+inline constexpr int kEarlierUnit = 14; ///< of EarlierRows
 
 /// Draws runs of people of any view: the shaders, which are compiled when somebody needs them, and
 /// the state of each group of triangles.

@@ -117,7 +117,7 @@ Style Style::of(const RenderInput& input)
 Style Style::ofAovs(const RenderInput& input)
 {
     Style style;
-    style.surfaceDefines = "AOV ";
+    style.surfaceDefines = input.earlier ? "AOV MOTION " : "AOV ";
     style.hasRelief = true;
     style.hasGround = input.showGround && !input.isTransparent;
     style.hasGrid = false;

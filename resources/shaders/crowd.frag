@@ -2,6 +2,9 @@ in vec4 color;
 #ifdef AOV
 in vec3 aovWorld;
 in vec3 aovFacing;
+#ifdef MOTION
+in vec3 aovWorldBefore;
+#endif
 flat in float aovRow;
 #endif
 #ifdef CARTOON
@@ -133,6 +136,9 @@ void main()
 #endif
 #ifdef AOV
     writeAovs(aovWorld, aovRow, aovFacing);
+#ifdef MOTION
+    writeMotion(aovWorldBefore);
+#endif
 #else
     fragment = result;
 #endif

@@ -35,6 +35,10 @@ out float level; // of light, as a share of all there can be
 out vec3 aovWorld;
 out vec3 aovFacing;
 flat out float aovRow;
+#ifdef MOTION
+uniform usamplerBuffer earlier; // per row: EarlierRecord
+out vec3 aovWorldBefore;
+#endif
 #endif
 out vec4 color; // lit base colour; alpha, or who is highlighted where that is 1
 #ifdef SHADOWED
@@ -111,6 +115,28 @@ float highlightOf(uint flags)
     return 1.0;
 }
 
+#ifdef MOTION
+vec3 pointOf(uint keyframe, uint box)
+{
+    uvec4 corner = texelFetch(keyframes, int(keyframe * verticesPerKeyframe + source));
+    return texelFetch(clipBoxes, int(box) * 2).xyz +
+           vec3(corner.xyz) * texelFetch(clipBoxes, int(box) * 2 + 1).xyz;
+}
+
+// As main() places the vertex now.
+vec3 worldBefore(int row)
+{
+    vec4 place = uintBitsToFloat(texelFetch(earlier, row * 3));
+    vec4 shape = uintBitsToFloat(texelFetch(earlier, row * 3 + 1));
+    uvec4 shown = texelFetch(earlier, row * 3 + 2);
+    vec3 point = mix(pointOf(shown.x, shown.z & 65535u), pointOf(shown.y, shown.z >> 16),
+                     uintBitsToFloat(shown.w)) * shape.zyz;
+    vec2 turn = vec2(place.w, shape.x);
+    return place.xyz + vec3(turn.x * point.x + turn.y * point.z, point.y,
+                            turn.x * point.z - turn.y * point.x);
+}
+#endif
+
 void main()
 {
     int row = int(instance.x & kRowMask);
@@ -145,6 +171,9 @@ void main()
     aovWorld = world;
     aovFacing = n;
     aovRow = float(row);
+#ifdef MOTION
+    aovWorldBefore = worldBefore(row);
+#endif
 #endif
 
 #if defined(CASTER) && !defined(CUTOUT)

@@ -28,7 +28,9 @@ float lines(vec2 metres, float spacing)
 void main()
 {
 #ifdef AOV
-    writeAovs(vec3(center.x + place.x, 0.0, center.y + place.y), kAovThing, vec3(0.0, gl_FrontFacing ? 1.0 : -1.0, 0.0));
+    vec3 onGround = vec3(center.x + place.x, 0.0, center.y + place.y);
+    writeAovs(onGround, kAovThing, vec3(0.0, gl_FrontFacing ? 1.0 : -1.0, 0.0));
+    writeMotion(onGround);
 #else
     vec3 result = groundColor;
 #ifdef SHADOWED

@@ -150,6 +150,7 @@ void main()
 #endif
 #ifdef AOV
     writeAovs(worldPlace, kAovThing, n);
+    writeMotion(worldPlace);
 #else
     fragment = result;
 #endif

@@ -31,6 +31,7 @@ private Q_SLOTS:
     void theyAreFoundByName();
     void coloursAreLinear();
     void theFileTellsWhoIsWhere();
+    void motionIsThere();
     void mattesHaveSmoothEdges();
     void manyOfAPixelKeepTheirTemplates();
     void matteNumbersAreThoseOfOthers();
@@ -134,6 +135,34 @@ void TestPicturePasses::theFileTellsWhoIsWhere()
         file.header(0).findTypedAttribute<Imf::StringAttribute>("crowdbrush.templates");
     QVERIFY(names != nullptr);
     QVERIFY(names->value() == "{\"1\":\"box man\"}");
+}
+
+/// As programs for compositing name it; without a moment before nothing moves.
+void TestPicturePasses::motionIsThere()
+{
+    const QString path = m_folder.filePath(QStringLiteral("motion.exr"));
+    model::KeyframeStore keyframes;
+    auto maker = app::PictureMaker::create(keyframes);
+    QVERIFY(maker.isOk());
+    app::PictureRequest request = tallIds();
+    const auto passes = app::passesOf("depth,motion");
+    const auto middle = [&](const char* channel) {
+        const bool isSaved = maker.value()->draw(request).isOk() &&
+                             maker.value()->save(path, request, passes.value()).isOk();
+        return isSaved ? exrValues<float>(path, 1, channel, kSide, kSide,
+                                          Imf::FLOAT)[kSide * kSide / 2 + kSide / 2]
+                       : -1e9F;
+    };
+    QCOMPARE(middle("backward.u"), 0.0F);
+    const std::vector<std::string> parts{"depth: depth.Z", "backward: backward.u backward.v"};
+    QVERIFY(exrParts(path) == parts);
+    model::Camera lower = request.camera;
+    lower.position += glm::vec3(0.5F, -0.25F, 0.0F);
+    request.earlier = render::EarlierMoment{request.frame, lower};
+    const float right = middle("backward.u");
+    const float up = middle("backward.v");
+    QVERIFY2(right < -5.0F && right > -9.0F, qPrintable(QString::number(right)));
+    QVERIFY2(std::abs(up + 0.5F * right) < 0.1F, qPrintable(QString::number(up)));
 }
 
 void TestPicturePasses::mattesHaveSmoothEdges()

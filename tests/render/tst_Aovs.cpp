@@ -25,6 +25,9 @@ private Q_SLOTS:
     void whatIsHiddenIsNotThere();
     void whatIsBlendedCountsWhereItHidesMore();
     void nothingIsBehindATransparentPicture();
+    void whatMovedSaysFromWhere();
+    void posesMoveToo();
+    void theSkyTurnsWithTheCamera();
     void theColoursStay();
     void itIsOfAnySize();
 
@@ -135,6 +138,97 @@ void TestAovs::nothingIsBehindATransparentPicture()
     QCOMPARE(picture.places[pixelAt(-2, -3)], glm::vec3(0.0F));
     QCOMPARE(picture.normals[pixelAt(-2, -3)], glm::vec3(0.0F));
     QCOMPARE(picture.rows[pixelAt(0.1F, 0.1F)], 0);
+}
+
+namespace {
+
+bool isAbout(const glm::vec2& seen, const glm::vec2& expected, float pixels = 0.02F)
+{
+    const bool isSo = glm::distance(seen, expected) <= pixels;
+    if (!isSo) {
+        qWarning("%f %f instead of %f %f", static_cast<double>(seen.x), static_cast<double>(seen.y),
+                 static_cast<double>(expected.x), static_cast<double>(expected.y));
+    }
+    return isSo;
+}
+
+} // namespace
+
+void TestAovs::whatMovedSaysFromWhere()
+{
+    render::RenderInput input = twoMen();
+    QVERIFY(aovs(input).before.empty());
+    model::Population people = input.frame->population;
+    const std::vector<model::IndividualId> first{people.ids()[0]};
+    people.setValues<glm::vec3>(model::columns::position, first,
+                                std::vector<glm::vec3>{{-0.25F, 0.0F, 0.5F}});
+    const model::CrowdFramePtr before = frameOf(people, {entryFor(m_man)});
+    input.earlier = render::EarlierMoment{before, above().camera()};
+    AovPicture picture = aovs(input);
+    QVERIFY(isAbout(picture.before[pixelAt(0.1F, 0.1F)], {-0.25F * kPerMetre, -0.5F * kPerMetre}));
+    QVERIFY(isAbout(picture.before[pixelAt(1.1F, 0.1F)], {0, 0}));
+    QVERIFY(isAbout(picture.before[pixelAt(-2, -3)], {0, 0}));
+
+    input.earlier->camera.position.x += 1.0F; // and everything was further to the left
+    picture = aovs(input);
+    QVERIFY(isAbout(picture.before[pixelAt(1.1F, 0.1F)], {-kPerMetre, 0}));
+    QVERIFY(isAbout(picture.before[pixelAt(-2, -3)], {-kPerMetre, 0}));
+
+    // Nobody, other people, other templates, somebody out of the picture: none of them is met.
+    input.earlier->camera = above().camera();
+    input.earlier->frame = nullptr;
+    QVERIFY(isAbout(aovs(input).before[pixelAt(0.1F, 0.1F)], {0, 0}));
+    input.earlier->frame = frameOf(people, {entryFor(makeBoxMan())});
+    QVERIFY(isAbout(aovs(input).before[pixelAt(0.1F, 0.1F)], {0, 0}));
+    model::Population fewer = people;
+    fewer.remove(first);
+    input.earlier->frame = frameOf(fewer, {entryFor(m_man)});
+    QVERIFY(isAbout(aovs(input).before[pixelAt(0.1F, 0.1F)], {0, 0}));
+    people.setValues<glm::vec3>(model::columns::position, first,
+                                std::vector<glm::vec3>{{-50.0F, 0.0F, 0.0F}});
+    input.earlier->frame = frameOf(people, {entryFor(m_man)});
+    QVERIFY(isAbout(aovs(input).before[pixelAt(0.1F, 0.1F)], {-50.0F * kPerMetre, 0}, 0.1F));
+}
+
+/// Somebody who rises, from the front; his clip of before is nobody's any more.
+void TestAovs::posesMoveToo()
+{
+    model::Camera front = model::Camera::lookingAt({0, 1, 10}, {0, 1, 0});
+    front.projection = model::Projection::Orthographic;
+    front.orthographicHeight = static_cast<float>(kPixels) / kPerMetre;
+    model::Population people = twoMen().frame->population;
+    const std::vector<model::IndividualId> first{people.ids()[0]};
+    const auto inClip = [&](std::uint16_t clip, double seconds) {
+        people.setValues<std::uint16_t>(model::columns::clip, first,
+                                        std::vector<std::uint16_t>{clip});
+        auto frame = std::make_shared<model::CrowdFrame>(*frameOf(people, {entryFor(m_man)}));
+        frame->seconds = seconds;
+        return model::CrowdFramePtr(frame);
+    };
+    render::RenderInput input(model::View(front, glm::vec2(kPixels)), *m_keyframes);
+    input.samples = 0;
+    input.frame = inClip(1, 0.75);
+    input.earlier = render::EarlierMoment{inClip(1, 0.3), front};
+    const std::size_t chest = pixelAt(0.1F, -0.5F); // of the picture: half a metre above its middle
+    QVERIFY(isAbout(aovs(input).before[chest], {0, -0.3F * kPerMetre}, 0.1F));
+    input.frame = inClip(0, 0.75);
+    QVERIFY(isAbout(aovs(input).before[chest], {0, 0.2F * kPerMetre}, 0.1F));
+}
+
+void TestAovs::theSkyTurnsWithTheCamera()
+{
+    const model::Camera now = model::Camera::lookingAt({0, 2, 0}, {0, 12, -10});
+    model::Camera before = model::Camera::lookingAt({3, 2, 0}, {2, 12, -10});
+    render::RenderInput input(model::View(now, glm::vec2(kPixels)), *m_keyframes);
+    input.earlier = render::EarlierMoment{nullptr, before};
+    const AovPicture picture = aovs(input);
+    const std::size_t middle = pixelAt(0, 0);
+    QCOMPARE(picture.rows[middle], AovPicture::kNothing);
+    QVERIFY(picture.before[middle].x > 4.0F && std::abs(picture.before[middle].y) < 2.0F);
+    before = now;
+    before.position.x += 30.0F; // far away it does not matter
+    input.earlier->camera = before;
+    QVERIFY(isAbout(aovs(input).before[middle], {0, 0}));
 }
 
 void TestAovs::theColoursStay()
