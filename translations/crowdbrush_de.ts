@@ -1059,6 +1059,22 @@
         <source>The run goes on from the moment shown; what came after it is forgotten</source>
         <translation>Der Lauf geht vom gezeigten Augenblick an weiter; was danach kam, wird vergessen</translation>
     </message>
+    <message>
+        <source>&amp;Camera as Now</source>
+        <translation>&amp;Kamera wie jetzt</translation>
+    </message>
+    <message>
+        <source>From this moment of the timeline on the camera looks as the view does now</source>
+        <translation>Von diesem Augenblick der Zeitleiste an sieht die Kamera, was die Ansicht jetzt zeigt</translation>
+    </message>
+    <message>
+        <source>Follow the T&amp;imeline</source>
+        <translation>Der Ze&amp;itleiste folgen</translation>
+    </message>
+    <message>
+        <source>The view looks through the timeline&apos;s camera, where there is one</source>
+        <translation>Die Ansicht blickt durch die Kamera der Zeitleiste, wo es eine gibt</translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -3773,6 +3789,90 @@
         <source>That comes along: rules ask for it</source>
         <translation>Die mitkommt: Regeln fragen danach</translation>
     </message>
+    <message>
+        <source>move the camera</source>
+        <translation>die Kamera bewegen</translation>
+    </message>
+    <message>
+        <source>A cut, or a move that takes its time</source>
+        <translation>Ein Schnitt, oder eine Fahrt, die ihre Zeit braucht</translation>
+    </message>
+    <message>
+        <source>At once, or as a flight</source>
+        <translation>Sofort, oder im Flug</translation>
+    </message>
+    <message>
+        <source>Around what it looks at</source>
+        <translation>Um das, was sie anblickt</translation>
+    </message>
+    <message>
+        <source>From its first place to its last</source>
+        <translation>Von seinem ersten Ort zum letzten</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Where it goes to, or begins with</source>
+        <translation>Wohin sie fährt, oder womit sie beginnt</translation>
+    </message>
+    <message>
+        <source>From where it is</source>
+        <translation>Von da, wo sie ist</translation>
+    </message>
+    <message>
+        <source>360°: once around; less than nothing: the other way</source>
+        <translation>360°: einmal herum; unter null: andersherum</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>Dauert</translation>
+    </message>
+    <message>
+        <source>0: at once, a cut</source>
+        <translation>0: sofort, ein Schnitt</translation>
+    </message>
+    <message>
+        <source>Above it</source>
+        <translation>Darüber</translation>
+    </message>
+    <message>
+        <source>Looks ahead</source>
+        <translation>Blickt voraus</translation>
+    </message>
+    <message>
+        <source>Else at what it looked at before</source>
+        <translation>Sonst auf das, was sie vorher anblickte</translation>
+    </message>
+    <message>
+        <source>Gently</source>
+        <translation>Sanft</translation>
+    </message>
+    <message>
+        <source>It begins and ends slowly</source>
+        <translation>Sie beginnt und endet langsam</translation>
+    </message>
+    <message>
+        <source>to a camera</source>
+        <translation>zu einer Kamera</translation>
+    </message>
+    <message>
+        <source>around</source>
+        <translation>im Kreis</translation>
+    </message>
+    <message>
+        <source>along a path</source>
+        <translation>einen Weg entlang</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Fahrt</translation>
+    </message>
+    <message>
+        <source>Turns by</source>
+        <translation>Dreht um</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -5653,6 +5753,22 @@
         <source>%1 by %2 pixels are too many for passes, whose numbers take much memory: at most 40 million. Choose a smaller size.</source>
         <translation>%1 mal %2 Pixel sind zu viele für Ebenen, deren Zahlen viel Speicher brauchen: höchstens 40 Millionen. Wählen Sie eine kleinere Größe.</translation>
     </message>
+    <message>
+        <source>At %1 seconds the timeline wants the camera “%2”, which is not there. Choose another one for that mark.</source>
+        <translation>Bei %1 Sekunden will die Zeitleiste die Kamera „%2“, die es nicht gibt. Wählen Sie für diese Zeitmarke eine andere.</translation>
+    </message>
+    <message>
+        <source>At %1 seconds the camera is to travel along a path: choose one of at least two places for that mark.</source>
+        <translation>Bei %1 Sekunden soll die Kamera einen Weg entlangfahren: Wählen Sie für diese Zeitmarke einen aus mindestens zwei Orten.</translation>
+    </message>
+    <message>
+        <source>At %1 seconds the camera goes nowhere: choose a camera for that mark.</source>
+        <translation>Bei %1 Sekunden fährt die Kamera nirgendwohin: Wählen Sie für diese Zeitmarke eine Kamera.</translation>
+    </message>
+    <message>
+        <source>%1: a movie cannot be transparent. Choose numbered pictures, or switch the transparency off.</source>
+        <translation>%1: Ein Film kann nicht durchsichtig sein. Wählen Sie nummerierte Bilder, oder schalten Sie die Durchsichtigkeit aus.</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -5701,6 +5817,10 @@
     <message>
         <source>Cryptomatte</source>
         <translation>Cryptomatte</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
     </message>
 </context>
 <context>
@@ -8021,6 +8141,14 @@
         <source>Double click in a lane: what is to happen then. Or record: cues that are pressed, states that are recalled and events that are painted while it plays come here.</source>
         <translation>Doppelklick in eine Spur: was dann geschehen soll. Oder nehmen Sie auf: Stichwörter, die gedrückt, Zustände, die abgerufen, und Ereignisse, die beim Abspielen gemalt werden, kommen hierher.</translation>
     </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Look from Here On as Now</source>
+        <translation>Ab hier so blicken wie jetzt</translation>
+    </message>
 </context>
 <context>
     <name>TimelineCommands</name>
@@ -8079,6 +8207,26 @@
     <message>
         <source>Change the play range</source>
         <translation>Abspielbereich ändern</translation>
+    </message>
+    <message>
+        <source>Around</source>
+        <translation>Im Kreis</translation>
+    </message>
+    <message>
+        <source>Around, from %1</source>
+        <translation>Im Kreis, ab %1</translation>
+    </message>
+    <message>
+        <source>Along %1</source>
+        <translation>%1 entlang</translation>
+    </message>
+    <message>
+        <source>missing path</source>
+        <translation>fehlender Weg</translation>
+    </message>
+    <message>
+        <source>From %1 s on the camera looks as now: “%2”</source>
+        <translation>Ab %1 s blickt die Kamera wie jetzt: „%2“</translation>
     </message>
 </context>
 <context>
@@ -9032,6 +9180,22 @@ Verworfen ist sie fort.</translation>
         <source>EXR passes</source>
         <translation>EXR-Ebenen</translation>
     </message>
+    <message>
+        <source>As the timeline moves it</source>
+        <translation>Wie die Zeitleiste sie bewegt</translation>
+    </message>
+    <message>
+        <source>Once around what the view looks at</source>
+        <translation>Einmal um das, was die Ansicht anblickt</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>Durchsichtiger Hintergrund</translation>
+    </message>
+    <message>
+        <source>For numbered pictures that are put over others</source>
+        <translation>Für nummerierte Bilder, die über andere gelegt werden</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::PassFields</name>
@@ -9612,6 +9776,13 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Script Brush: %1</source>
         <translation>Skriptpinsel: %1</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::CameraDirector</name>
+    <message>
+        <source>The view is yours: the timeline does not move it any more. View &gt; Follow the Timeline gives it back.</source>
+        <translation>Die Ansicht gehört Ihnen: Die Zeitleiste bewegt sie nicht mehr. Ansicht &gt; Der Zeitleiste folgen gibt sie zurück.</translation>
     </message>
 </context>
 <context>
@@ -11955,6 +12126,14 @@ Verworfen ist sie fort.</translation>
             <numerusform>Und eine weitere.</numerusform>
             <numerusform>Und %n weitere.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>From this moment on the camera looks as the view does now</source>
+        <translation>Von diesem Augenblick an sieht die Kamera, was die Ansicht jetzt zeigt</translation>
+    </message>
+    <message>
+        <source>The view looks through the timeline&apos;s camera, where there is one</source>
+        <translation>Die Ansicht blickt durch die Kamera der Zeitleiste, wo es eine gibt</translation>
     </message>
 </context>
 <context>

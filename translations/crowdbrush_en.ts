@@ -1059,6 +1059,22 @@
         <source>The run goes on from the moment shown; what came after it is forgotten</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Camera as Now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From this moment of the timeline on the camera looks as the view does now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow the T&amp;imeline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view looks through the timeline&apos;s camera, where there is one</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -3773,6 +3789,90 @@
         <source>That comes along: rules ask for it</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>move the camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A cut, or a move that takes its time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At once, or as a flight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Around what it looks at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From its first place to its last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where it goes to, or begins with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>360°: once around; less than nothing: the other way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0: at once, a cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Above it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looks ahead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Else at what it looked at before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gently</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It begins and ends slowly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to a camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>along a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns by</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -5653,6 +5753,22 @@
         <source>%1 by %2 pixels are too many for passes, whose numbers take much memory: at most 40 million. Choose a smaller size.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>At %1 seconds the timeline wants the camera “%2”, which is not there. Choose another one for that mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At %1 seconds the camera is to travel along a path: choose one of at least two places for that mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At %1 seconds the camera goes nowhere: choose a camera for that mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: a movie cannot be transparent. Choose numbered pictures, or switch the transparency off.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -5700,6 +5816,10 @@
     </message>
     <message>
         <source>Cryptomatte</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8021,6 +8141,14 @@
         <source>Double click in a lane: what is to happen then. Or record: cues that are pressed, states that are recalled and events that are painted while it plays come here.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from Here On as Now</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>TimelineCommands</name>
@@ -8078,6 +8206,26 @@
     </message>
     <message>
         <source>Change the play range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Around, from %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>missing path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From %1 s on the camera looks as now: “%2”</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9027,6 +9175,22 @@ Thrown away, it is gone.</source>
         <source>EXR passes</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>As the timeline moves it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Once around what the view looks at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For numbered pictures that are put over others</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::PassFields</name>
@@ -9604,6 +9768,13 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Script Brush: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::CameraDirector</name>
+    <message>
+        <source>The view is yours: the timeline does not move it any more. View &gt; Follow the Timeline gives it back.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11948,6 +12119,14 @@ Thrown away, it is gone.</source>
             <numerusform>And one more.</numerusform>
             <numerusform>And %n more.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>From this moment on the camera looks as the view does now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view looks through the timeline&apos;s camera, where there is one</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

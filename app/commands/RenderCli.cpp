@@ -32,6 +32,31 @@ private:
     QCoreApplication m_application;
 };
 
+/// What a picture shows of the scene.
+void addView(CLI::App& command, RenderOptions& options)
+{
+    command.add_option("--camera", options.camera,
+                       "Name of a camera of the scene; without it, as the timeline moves it, else "
+                       "the first");
+    command.add_option("--camera-move", options.cameraMove,
+                       "turntable: once around what the camera looks at, over all frames; or a "
+                       "JSON file with marks of a timeline that move it");
+    command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command.add_option("--time", options.time, "Seconds of the scene's time");
+    command.add_option("--look", options.look,
+                       "How it is drawn: a look of the scene by its name, or " +
+                           render::lookKeys() + "; without it, as the camera has it, else lit");
+    command.add_option("--by", options.by,
+                       "What people are coloured by: template, group, tag, clip, height, density, "
+                       "a property that is a number, or feature:KIND");
+    command.add_option("--focus", options.focusMetres,
+                       "Depth of field: metres from the camera to what is sharp; without it, what "
+                       "the camera turns around");
+    command.add_option("--f-stop", options.fStop,
+                       "Depth of field: the smaller, the less is sharp; 0.5 where only --focus is "
+                       "given");
+}
+
 } // namespace
 
 void addRenderCommand(CLI::App& cli, RenderOptions& options, int& status)
@@ -48,25 +73,14 @@ void addRenderCommand(CLI::App& cli, RenderOptions& options, int& status)
                          "), #### for the frame; or a movie of all frames (" + movieEndings() +
                          "), made by ffmpeg")
         ->required();
-    command->add_option("--camera", options.camera, "Name of a camera of the scene");
-    command->add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command->add_option("--time", options.time, "Seconds of the scene's time");
-    command->add_option("--look", options.look,
-                        "How it is drawn: a look of the scene by its name, or " +
-                            render::lookKeys() + "; without it, as the camera has it, else lit");
-    command->add_option("--by", options.by,
-                        "What people are coloured by: template, group, tag, clip, height, density, "
-                        "a property that is a number, or feature:KIND");
-    command->add_option("--focus", options.focusMetres,
-                        "Depth of field: metres from the camera to what is sharp; without it, what "
-                        "the camera turns around");
-    command->add_option("--f-stop", options.fStop,
-                        "Depth of field: the smaller, the less is sharp; 0.5 where only --focus is "
-                        "given");
+    addView(*command, options);
     command->add_option("--passes", options.passes,
                         "Layers of an .exr file, with commas: " + passKeys());
     command->add_option("--frames", options.frames,
                         "Draw frames A-B; in steps A-BxN; several with commas: 5,20-29,40-90x10");
+    command->add_flag("--transparent", options.isTransparent,
+                      "Nothing where neither people nor stages are: for pictures to be put over "
+                      "others");
     command->add_flag("--resume", options.isResumed,
                       "Draw only those frames whose pictures are not there yet");
     command->add_option("--fps", options.framesPerSecond, "Frames per second")

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/RenderCommand.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -9,6 +8,7 @@
 
 #include <QtCore/QFileInfo>
 
+#include "app/commands/CameraChoice.h"
 #include "app/commands/InterruptGuard.h"
 #include "app/commands/RenderPlan.h"
 #include "app/commands/SceneSource.h"
@@ -28,41 +28,22 @@ namespace {
 constexpr int kFailed = 1;
 constexpr int kBadUsage = 2;
 
-model::Result<model::Camera> cameraNamed(const model::Scene& scene, const std::string& name)
-{
-    if (name.empty()) {
-        return scene.cameras.empty() ? model::Camera{} : scene.cameras.front().camera;
-    }
-    const auto found = std::ranges::find(scene.cameras, name, &model::NamedCamera::name);
-    if (found != scene.cameras.end()) {
-        return found->camera;
-    }
-    std::string names;
-    for (const model::NamedCamera& camera : scene.cameras) {
-        names += (names.empty() ? "" : ", ") + camera.name;
-    }
-    return model::Error{"There is no camera named \"" + name + "\". " +
-                        (names.empty() ? "The scene has none; leave --camera away."
-                                       : "The scene has: " + names + ".")};
-}
-
 /// A scene with what draws it.
 class ScenePictures
 {
 public:
-    ScenePictures(model::Scene scene, const model::Camera& camera, const RenderPlan& plan,
-                  const ChosenLook& look, const std::optional<render::Lens>& lens)
-        : m_scene(std::move(scene)), m_seats(m_scene.worldSeats()), m_motion(m_scene), m_look(look)
+    /// How it is drawn is one wish for all pictures: what it means depends on the camera.
+    ScenePictures(model::Scene scene, model::CameraTrack track, const RenderPlan& plan,
+                  LookWish look, const LensWish& lens)
+        : m_scene(std::move(scene)), m_track(std::move(track)), m_seats(m_scene.worldSeats()),
+          m_motion(m_scene), m_look(std::move(look)), m_lens(lens)
     {
         m_request.stages = m_scene.stages;
         m_request.seats = m_seats;
         m_request.lighting = m_scene.lighting;
         m_request.lights = m_scene.lights;
-        m_request.camera = camera;
         m_request.size = plan.size;
-        m_request.look = look.look;
-        m_request.ownLook = look.own;
-        m_request.lens = lens;
+        m_request.isTransparent = plan.isTransparent;
     }
     ScenePictures(const ScenePictures&) = delete;
     ScenePictures& operator=(const ScenePictures&) = delete;
@@ -78,14 +59,21 @@ public:
         return {};
     }
 
-    /// Kept until the next one.
-    [[nodiscard]] model::Result<void> draw(double seconds)
+    /// Kept until the next one. Its motion is said against the moment before.
+    [[nodiscard]] model::Result<void> draw(double seconds, std::optional<double> before = {})
     {
-        m_request.frame = m_motion.at(
-            seconds, nullptr, [this, seconds](double done) { m_progress.tell(done, seconds); });
-        m_progress.end();
+        m_request.earlier.reset();
+        if (before) {
+            m_request.earlier =
+                render::EarlierMoment{frameAt(*before), m_track.before(*before, seconds).camera};
+        }
+        const auto look = lookAt(seconds);
+        if (!look) {
+            return look.error();
+        }
+        m_request.frame = frameAt(seconds);
         sayProblems();
-        m_request.frame = colouredBy(m_look, m_scene, m_request.frame);
+        m_request.frame = colouredBy(look.value(), m_scene, m_request.frame);
         if (auto drawn = m_maker->draw(m_request); !drawn) {
             return drawn;
         }
@@ -100,7 +88,33 @@ public:
         return m_maker->save(path, m_request, passes);
     }
 
+    /// What the camera sees then, and how.
+    [[nodiscard]] model::Result<ChosenLook> lookAt(double seconds)
+    {
+        const model::DirectedCamera now = m_track.at(seconds);
+        m_request.camera = now.camera;
+        const auto lens = lensOf(m_lens, now.camera);
+        if (!lens) {
+            return lens.error();
+        }
+        m_request.lens = lens.value();
+        m_look.directed = now.look;
+        auto look = chosenLook(m_look, m_scene);
+        if (look) {
+            m_request.look = look.value().look;
+            m_request.ownLook = look.value().own;
+        }
+        return look;
+    }
+
 private:
+    [[nodiscard]] model::CrowdFramePtr frameAt(double seconds)
+    {
+        auto frame = m_motion.at(seconds, nullptr,
+                                 [this, seconds](double done) { m_progress.tell(done, seconds); });
+        m_progress.end();
+        return frame;
+    }
     /// Each sentence once, as soon as there is reason to.
     void sayProblems()
     {
@@ -112,11 +126,13 @@ private:
     }
 
     model::Scene m_scene;
+    model::CameraTrack m_track;
     std::vector<model::WorldSeat> m_seats;
     behavior::SceneMotion m_motion;
     model::KeyframeStore m_keyframes{std::size_t{2} << 30U};
     PictureRequest m_request;
-    ChosenLook m_look;
+    LookWish m_look;
+    LensWish m_lens;
     std::set<std::string> m_said;
     SimulationProgress m_progress;
     std::unique_ptr<PictureMaker> m_maker;
@@ -154,7 +170,10 @@ model::Result<void> writeFrames(ScenePictures& pictures, const RenderPlan& plan,
         if (plan.isResumed && QFileInfo::exists(path)) {
             continue; // whole: a picture is written as a whole or not at all
         }
-        if (auto drawn = pictures.draw(plan.secondsOf(frame)); !drawn) {
+        const std::optional<double> before = needAny(plan.passes, PassNeed::Motion)
+                                                 ? std::optional(plan.secondsBefore(frame))
+                                                 : std::nullopt;
+        if (auto drawn = pictures.draw(plan.secondsOf(frame), before); !drawn) {
             return drawn;
         }
         {
@@ -211,24 +230,21 @@ int runRender(const RenderOptions& options)
     if (!scene) {
         return fail(scene.error());
     }
-    const auto camera = cameraNamed(scene.value(), options.camera);
-    if (!camera) {
-        return fail(camera.error());
-    }
-    const auto lens = lensOf({options.focusMetres, options.fStop}, camera.value());
-    if (!lens) {
-        return fail(lens.error(), kBadUsage);
-    }
-    const auto look = chosenLook({options.look, options.by, options.camera}, scene.value());
-    if (!look) {
-        return fail(look.error(), kBadUsage);
+    auto track = chosenCamera(
+        {options.camera, options.cameraMove, plan.value().beginSeconds(), plan.value().seconds()},
+        scene.value());
+    if (!track) {
+        return fail(track.error());
     }
     if (auto complete = checkMissing(scene.value(), options.allowsMissing); !complete) {
         return fail(complete.error());
     }
     InterruptGuard::install();
-    ScenePictures pictures(std::move(scene).value(), camera.value(), plan.value(), look.value(),
-                           lens.value());
+    ScenePictures pictures(std::move(scene).value(), std::move(track).value(), plan.value(),
+                           {options.look, options.by}, {options.focusMetres, options.fStop});
+    if (const auto look = pictures.lookAt(plan.value().beginSeconds()); !look) {
+        return fail(look.error(), kBadUsage);
+    }
     if (auto opened = pictures.open(); !opened) {
         return fail(opened.error());
     }

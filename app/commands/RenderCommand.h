@@ -10,9 +10,10 @@ namespace crowd::app {
 /// as the user gave them, UTF-8; empty: not given.
 struct RenderOptions
 {
-    std::string scene;  ///< .crowd, or a .glb or .gltf to look at
-    std::string output; ///< with a run of # for the frame number where several are drawn
-    std::string camera; ///< name; the scene's first one when empty
+    std::string scene;      ///< .crowd, or a .glb or .gltf to look at
+    std::string output;     ///< with a run of # for the frame number where several are drawn
+    std::string camera;     ///< name; empty: as the timeline has it, else the scene's first
+    std::string cameraMove; ///< see CameraChoice
     std::string size = "1280x720";
     double time = 0.0;  ///< seconds of the transport; of frame 0 where several are drawn
     std::string look;   ///< a style, or one of the scene's looks; empty: the camera's, else lit
@@ -20,6 +21,7 @@ struct RenderOptions
     std::string passes; ///< keys of PicturePass with commas between; empty: the colours alone
     std::string frames; ///< see FrameList
     bool isResumed = false;
+    bool isTransparent = false;        ///< where neither people nor stages are
     std::optional<double> focusMetres; ///< and the next: depth of field
     std::optional<double> fStop;
     double framesPerSecond = 30.0;

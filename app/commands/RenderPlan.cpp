@@ -82,7 +82,37 @@ model::Result<void> planPasses(const RenderOptions& options, RenderPlan& plan)
     return {};
 }
 
+model::Result<void> planTransparency(const RenderOptions& options, RenderPlan& plan)
+{
+    const PictureFormat* format = pictureFormatOf(QString::fromStdString(options.output));
+    const bool isPossible = !plan.isMovie && (format == nullptr || format->hasTransparency);
+    if (options.isTransparent && !isPossible) {
+        return model::Error{"--output " + options.output +
+                            " cannot be transparent: let it end in .png or .exr, or leave "
+                            "--transparent away."};
+    }
+    plan.isTransparent = options.isTransparent;
+    return {};
+}
+
 } // namespace
+
+double RenderPlan::secondsBefore(int frame) const
+{
+    const double before = secondsOf(frame - 1); // the same as when that is drawn, to the last bit
+    return before < 0.0 ? secondsOf(frame) : before;
+}
+
+double RenderPlan::beginSeconds() const
+{
+    return secondsOf(frames.first());
+}
+
+double RenderPlan::seconds() const
+{
+    const int count = frames.last() - frames.first() + 1;
+    return static_cast<double>(count) / framesPerSecond;
+}
 
 double RenderPlan::secondsOf(int frame) const
 {
@@ -109,6 +139,9 @@ model::Result<RenderPlan> planOf(const RenderOptions& options)
     }
     if (auto passes = planPasses(options, plan); !passes) {
         return passes.error();
+    }
+    if (auto transparency = planTransparency(options, plan); !transparency) {
+        return transparency.error();
     }
     if (!isInRange(plan.secondsOf(plan.frames.last()), -kMost, kMost)) {
         return model::Error{"--frames " + options.frames +

@@ -21,8 +21,13 @@ struct RenderPlan
     double framesPerSecond = 30.0;
     bool isMovie = false;   ///< all frames in one file
     bool isResumed = false; ///< pictures that are there stay
+    bool isTransparent = false;
 
     [[nodiscard]] double secondsOf(int frame) const;
+    [[nodiscard]] double beginSeconds() const; ///< of the first picture
+    /// Of the moment that a picture's motion is said against; its own where that is the beginning.
+    [[nodiscard]] double secondsBefore(int frame) const;
+    [[nodiscard]] double seconds() const; ///< from the first picture to the end of the last
 };
 
 /// An error names the option and what it takes.

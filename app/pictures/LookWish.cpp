@@ -23,6 +23,9 @@ std::string keysOf(const model::Scene& scene)
 /// Of the camera that is wished for; null: there is none.
 const model::LookPreset* lookOfCamera(const LookWish& wish, const model::Scene& scene)
 {
+    if (wish.directed) {
+        return model::findLook(scene.looks, *wish.directed);
+    }
     if (!wish.camera || scene.cameras.empty()) {
         return nullptr;
     }

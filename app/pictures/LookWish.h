@@ -19,6 +19,8 @@ struct LookWish
     /// Of the scene, by name, and empty for its first one; without one, or one without a look, a
     /// picture is lit.
     std::optional<std::string> camera{};
+    /// Of the timeline's camera, which goes before; 0: it has none.
+    std::optional<model::LookId> directed{};
 };
 
 /// The same, understood.

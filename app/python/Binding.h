@@ -154,6 +154,10 @@ using SceneClass = pybind11::class_<ScriptScene, ScenePtr>;
                                         const std::optional<model::Stagger>& stagger,
                                         const py::object& ids,
                                         const std::optional<std::vector<std::string>>& columns);
+/// Raises where a stage, or characters of whom there are some, could not be had.
+void refuseMissing(const model::Scene& scene);
+/// Of a list of keys; raises where one is none.
+[[nodiscard]] PicturePasses passesNamed(const std::vector<std::string>& names);
 /// How a picture is drawn, as scripts say it.
 struct PictureKey
 {
@@ -165,10 +169,9 @@ struct PictureKey
 [[nodiscard]] ScriptDrawing drawingOf(ScriptScene& scene, ScriptPicture request,
                                       const CameraKey& camera, const PictureKey& look,
                                       LongCall& call);
-/// crowdbrush.Picture of the scene at a time, or of this frame.
-[[nodiscard]] py::object pictureOf(ScriptScene& scene, const glm::ivec2& size,
-                                   const CameraKey& camera, const PictureKey& look, double time,
-                                   model::CrowdFramePtr frame, LongCall& call);
+/// crowdbrush.Picture of the scene.
+[[nodiscard]] py::object pictureOf(ScriptScene& scene, ScriptPicture request,
+                                   const CameraKey& camera, const PictureKey& look, LongCall& call);
 
 /// What a class of ours takes is checked here: see the casters below.
 void refuseUnmade(const py::handle& given);
@@ -230,6 +233,7 @@ void bindBrushes(py::module_& module);
 void bindPresets(py::module_& module); ///< after the brushes
 void bindProperties(py::module_& module);
 void bindPictures(py::module_& module, SceneClass& scene); ///< cameras and pictures
+void bindMovies(SceneClass& scene);
 /// Brushes that scripts bring along; after the brushes.
 void bindScriptBrushes(py::module_& module);
 /// Runs a brush over the dabs of a stroke until there are no more, on this thread. What it raises

@@ -23,10 +23,11 @@ void LongCall::raise() const
     }
 }
 
-bool LongCall::goesOn(double share)
+bool LongCall::goesOn(double ofPart)
 {
+    const double share = m_begin + m_length * ofPart;
     const Clock::time_point now = Clock::now();
-    const bool isDone = share >= 1.0;
+    const bool isDone = share >= 1.0 - 1e-9;
     if (m_problem || (!isDone && now - m_asked < kBetweenSignals)) {
         return !m_problem;
     }

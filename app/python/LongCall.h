@@ -20,6 +20,12 @@ public:
     using Listener = std::optional<pybind11::function>;
     explicit LongCall(Listener listener) : m_listener(std::move(listener)) {}
 
+    /// From now on the work is this part of all of it: shares of 1.
+    void within(double begin, double length)
+    {
+        m_begin = begin;
+        m_length = length;
+    }
     /// For as long as this lives.
     [[nodiscard]] model::KeepGoing hook()
     {
@@ -31,8 +37,10 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    [[nodiscard]] bool goesOn(double share);
+    [[nodiscard]] bool goesOn(double ofPart);
 
+    double m_begin = 0.0;
+    double m_length = 1.0;
     Listener m_listener; ///< of the share that is done
     Clock::time_point m_asked = Clock::now();
     Clock::time_point m_told = Clock::now();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <thread>
@@ -13,6 +14,7 @@
 #include "app/python/ScriptEnvironment.h"
 #include "behavior/session/SceneMotion.h"
 #include "model/project/LocateAssets.h"
+#include "model/view/CameraTrack.h"
 #include "model/view/PropertyPaint.h"
 
 namespace crowd::app {
@@ -67,6 +69,8 @@ Camera makeCamera(const Point3& from, const Point3& at, float fovDegrees)
     return camera;
 }
 
+} // namespace
+
 void refuseMissing(const Scene& scene)
 {
     const std::vector<std::string> missing = missingFromPictures(scene);
@@ -81,6 +85,8 @@ void refuseMissing(const Scene& scene)
                       "they are found, or render with allow_missing=True." +
                       all);
 }
+
+namespace {
 
 void refuseTime(double time)
 {
@@ -114,7 +120,8 @@ py::object arrayOf(const ExrLayer& layer, const glm::ivec2& size)
     return array;
 }
 
-/// Of a list of keys.
+} // namespace
+
 PicturePasses passesNamed(const std::vector<std::string>& names)
 {
     if (names.empty()) {
@@ -127,10 +134,12 @@ PicturePasses passesNamed(const std::vector<std::string>& names)
     return valueOrRaise(passesOf(keys));
 }
 
+namespace {
+
 py::dict renderPasses(const ScenePtr& scene, int width, int height,
                       const std::vector<std::string>& names, const CameraKey& camera, double time,
                       const std::string& look, const std::string& by,
-                      const std::optional<FilePath>& path, bool allowsMissing,
+                      const std::optional<FilePath>& path, bool isTransparent, bool allowsMissing,
                       const LongCall::Listener& progress)
 {
     refuseTime(time);
@@ -142,6 +151,7 @@ py::dict renderPasses(const ScenePtr& scene, int width, int height,
     request.size = {width, height};
     request.seconds = time;
     request.passes = passesNamed(names);
+    request.isTransparent = isTransparent;
     const PicturePasses passes = request.passes;
     const ScriptDrawing drawn =
         drawingOf(*scene, std::move(request), camera, {{look, by, cameraName(camera)}, {}}, call);
@@ -158,27 +168,56 @@ py::dict renderPasses(const ScenePtr& scene, int width, int height,
 
 py::object picture(const ScenePtr& scene, int width, int height, const CameraKey& camera,
                    double time, const std::string& look, const std::string& by,
-                   std::optional<double> focus, std::optional<double> fStop, bool allowsMissing,
-                   const LongCall::Listener& progress)
+                   std::optional<double> focus, std::optional<double> fStop, bool isTransparent,
+                   bool allowsMissing, const LongCall::Listener& progress)
 {
     refuseTime(time);
     if (!allowsMissing) {
         refuseMissing(*scene->scene());
     }
     LongCall call(progress);
-    return pictureOf(*scene, {width, height}, camera,
-                     {{look, by, cameraName(camera)}, {focus, fStop}}, time, nullptr, call);
+    ScriptPicture request;
+    request.size = {width, height};
+    request.seconds = time;
+    request.isTransparent = isTransparent;
+    return pictureOf(*scene, std::move(request), camera,
+                     {{look, by, cameraName(camera)}, {focus, fStop}}, call);
 }
 
-void savePicture(const FilePath& path, const py::array_t<std::uint8_t, py::array::c_style>& array)
+/// Red, green and blue by alpha, or the other way round; each is 255 at most.
+std::vector<std::uint8_t> withoutAlpha(std::vector<std::uint8_t> pixels)
+{
+    for (std::size_t i = 0; i + 3 < pixels.size(); i += 4) {
+        const int alpha = pixels[i + 3];
+        for (std::size_t channel = i; channel < i + 3; ++channel) {
+            const int straight = alpha == 0 ? 0 : (pixels[channel] * 255 + alpha / 2) / alpha;
+            pixels[channel] = static_cast<std::uint8_t>(std::min(straight, 255));
+        }
+    }
+    return pixels;
+}
+
+std::vector<std::uint8_t> timesAlpha(std::vector<std::uint8_t> pixels)
+{
+    for (std::size_t i = 0; i + 3 < pixels.size(); i += 4) {
+        for (std::size_t channel = i; channel < i + 3; ++channel) {
+            pixels[channel] =
+                static_cast<std::uint8_t>((pixels[channel] * pixels[i + 3] + 127) / 255);
+        }
+    }
+    return pixels;
+}
+
+void savePicture(const FilePath& path, const py::array_t<std::uint8_t, py::array::c_style>& array,
+                 bool isTransparent)
 {
     if (array.ndim() != 3 || array.shape(2) != 4) {
         throw ScriptError("A picture is an array of height × width × 4.");
     }
     const std::vector<std::uint8_t> pixels(array.data(), array.data() + array.size());
-    valueOrRaise(
-        writePicture(QString::fromStdString(path.string()), pixels,
-                     {static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0))}));
+    valueOrRaise(writePicture(
+        QString::fromStdString(path.string()), isTransparent ? timesAlpha(pixels) : pixels,
+        {static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0))}, isTransparent));
 }
 
 /// A picture is an array that can save itself; a subclass of NumPy's is shortest in Python.
@@ -194,9 +233,9 @@ class Picture(_numpy.ndarray):
     def __new__(cls, pixels: "Array") -> "Picture":
         return _numpy.asarray(pixels).view(cls)
 
-    def save_png(self, path: "FilePath") -> None:
-        """Writes the picture to a file, whole or not at all."""
-        _save_png(str(path), _numpy.ascontiguousarray(self, dtype=_numpy.uint8))
+    def save_png(self, path: "FilePath", transparent: bool = False) -> None:
+        """Writes the picture to a file, whole or not at all; with its alpha where transparent."""
+        _save_png(str(path), _numpy.ascontiguousarray(self, dtype=_numpy.uint8), transparent)
 )",
              module.attr("__dict__"));
 }
@@ -294,6 +333,28 @@ void waitForPictures(const ScriptScene& scene)
     }
 }
 
+/// Without a camera it is the timeline's, with its look.
+void takeCamera(const ScriptScene& scene, const CameraKey& key, ScriptPicture& request,
+                LookWish& wish)
+{
+    const auto now = scene.scene();
+    request.camera = cameraOf(scene, key);
+    CameraTrack track(*now);
+    if (!request.camera && track.hasMoves()) {
+        const DirectedCamera directed = track.at(request.seconds);
+        request.camera = directed.camera;
+        wish.directed = directed.look;
+    } else {
+        request.camera = valueOrRaise(cameraOrFirst(*now, request.camera));
+        track = CameraTrack(DirectedCamera{*request.camera, {}, 0});
+    }
+    if (needAny(request.passes, PassNeed::Motion)) {
+        const double before =
+            std::min(std::max(request.seconds - request.frameSeconds, 0.0), request.seconds);
+        request.before = {before, track.before(before, request.seconds).camera};
+    }
+}
+
 } // namespace
 
 ScriptDrawing drawingOf(ScriptScene& scene, ScriptPicture request, const CameraKey& camera,
@@ -304,8 +365,9 @@ ScriptDrawing drawingOf(ScriptScene& scene, ScriptPicture request, const CameraK
     if (size.x < 1 || size.y < 1 || size.x > kMost || size.y > kMost) {
         throw ScriptError("A picture is 1 to 16384 pixels wide and high.");
     }
-    request.camera = cameraOf(scene, camera);
-    request.look = valueOrRaise(chosenLook(look.look, *scene.scene()));
+    LookWish wish = look.look;
+    takeCamera(scene, camera, request, wish);
+    request.look = valueOrRaise(chosenLook(wish, *scene.scene()));
     request.lens = look.lens;
     constexpr double kSimulated = 0.9; // the rest is drawn
     request.patience = [&call](Waiting& waiting, const std::function<void()>& work) {
@@ -325,19 +387,29 @@ ScriptDrawing drawingOf(ScriptScene& scene, ScriptPicture request, const CameraK
     return drawing;
 }
 
-py::object pictureOf(ScriptScene& scene, const glm::ivec2& size, const CameraKey& camera,
-                     const PictureKey& look, double time, CrowdFramePtr frame, LongCall& call)
+py::object pictureOf(ScriptScene& scene, ScriptPicture request, const CameraKey& camera,
+                     const PictureKey& look, LongCall& call)
 {
-    ScriptPicture request;
-    request.size = size;
-    request.seconds = time;
-    request.frame = std::move(frame);
-    const ScriptDrawing drawn = drawingOf(scene, std::move(request), camera, look, call);
+    const glm::ivec2 size = request.size;
+    const bool isTransparent = request.isTransparent;
+    ScriptDrawing drawn = drawingOf(scene, std::move(request), camera, look, call);
+    if (isTransparent) {
+        drawn.pixels = withoutAlpha(std::move(drawn.pixels));
+    }
     const py::array_t<std::uint8_t> array({size.y, size.x, 4}, drawn.pixels.data());
     return callPython(py::module_::import("crowdbrush").attr("Picture"), py::make_tuple(array));
 }
 
 namespace {
+
+Camera cameraAt(const ScriptScene& scene, double seconds)
+{
+    refuseTime(seconds);
+    const auto now = scene.scene();
+    const CameraTrack track(*now);
+    return track.hasMoves() ? track.at(seconds).camera
+                            : valueOrRaise(cameraOrFirst(*now, std::nullopt));
+}
 
 std::string passesDoc()
 {
@@ -353,7 +425,8 @@ std::string passesDoc()
         doc += comma + std::string(pass.key) + " (" + pass.doc + ")";
         comma = "; ";
     }
-    return doc + ". camera, time, look, by and allow_missing are as of render. " CROWD_PROGRESS_DOC;
+    return doc + ". camera, time, look, by, transparent and allow_missing are as of "
+                 "render. " CROWD_PROGRESS_DOC;
 }
 
 } // namespace
@@ -366,22 +439,30 @@ void bindPictures(py::module_& module, SceneClass& scene)
         "render", &picture, py::arg("width"), py::arg("height"), py::kw_only(),
         py::arg("camera") = CameraKey(), py::arg("time") = 0.0, py::arg("look") = "",
         py::arg("by") = "", py::arg("focus") = py::none(), py::arg("f_stop") = py::none(),
-        py::arg("allow_missing") = false, py::arg("progress") = py::none(),
+        py::arg("transparent") = false, py::arg("allow_missing") = false,
+        py::arg("progress") = py::none(),
         "The picture as height × width × 4 uint8. Needs no display. time: seconds, at most a "
-        "week. look: one of the scene's by its name, or \"plain\", \"lit\", \"cartoon\" and the "
+        "week. camera: a name or a Camera; without one, as the timeline has it at that time, or "
+        "the scene's first. look: one of the scene's by its name, or \"plain\", \"lit\", "
+        "\"cartoon\" and the "
         "like; without it, as the camera has it, else lit. by: what people are coloured by, in the "
         "look \"property\": \"template\", "
         "\"group\", \"tag\", \"clip\", \"height\", \"density\", a property that is a number, or "
         "\"feature:KIND\". focus (metres from the camera; without it, what the camera turns "
         "around) and f_stop (the smaller, the less is sharp; 0.5 without it): depth of field, "
-        "where either is given. Where a stage, or a character of whom there is somebody, could not "
+        "where either is given. transparent: alpha is 0 where neither people nor stages are. Where "
+        "a "
+        "stage, or a character of whom there is somebody, could not "
         "be "
         "loaded, it fails and says what is missing, unless allow_missing. " CROWD_PROGRESS_DOC);
-    scene.def("render_passes", &renderPasses, py::arg("width"), py::arg("height"),
-              py::arg("passes"), py::kw_only(), py::arg("camera") = CameraKey(),
-              py::arg("time") = 0.0, py::arg("look") = "", py::arg("by") = "",
-              py::arg("path") = py::none(), py::arg("allow_missing") = false,
-              py::arg("progress") = py::none(), passesDoc().c_str());
+    scene.def("camera_at", &cameraAt, py::arg("time"),
+              "The camera as the timeline's marks have moved it by then: seconds of the clock. "
+              "Without such marks it is the scene's first.");
+    scene.def(
+        "render_passes", &renderPasses, py::arg("width"), py::arg("height"), py::arg("passes"),
+        py::kw_only(), py::arg("camera") = CameraKey(), py::arg("time") = 0.0, py::arg("look") = "",
+        py::arg("by") = "", py::arg("path") = py::none(), py::arg("transparent") = false,
+        py::arg("allow_missing") = false, py::arg("progress") = py::none(), passesDoc().c_str());
 }
 
 } // namespace crowd::app

@@ -264,6 +264,7 @@ void bindScene(py::module_& module)
     bindDocument(scene);
     bindPopulation(scene);
     bindPictures(module, scene);
+    bindMovies(scene);
     bindContents(module, scene);
     bindEnvironment(scene);
     bindStrokes(module, scene);

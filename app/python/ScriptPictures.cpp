@@ -130,6 +130,10 @@ Result<ScriptDrawing> ScriptPictures::draw(ScriptScene& script, const ScriptPict
     }
     PictureRequest request;
     request.lens = lens.value();
+    if (picture.before) { // first: times that rise are quick
+        request.earlier = render::EarlierMoment{
+            frameAt(script, picture.before->seconds, picture.patience), picture.before->camera};
+    }
     request.frame =
         picture.frame ? picture.frame : frameAt(script, picture.seconds, picture.patience);
     if (!m_maker) {
@@ -148,6 +152,7 @@ Result<ScriptDrawing> ScriptPictures::draw(ScriptScene& script, const ScriptPict
     request.lights = shown->lights;
     request.camera = camera.value();
     request.size = picture.size;
+    request.isTransparent = picture.isTransparent;
     request.look = picture.look.look;
     request.ownLook = picture.look.own;
     request.frame = colouredBy(picture.look, *shown, request.frame);

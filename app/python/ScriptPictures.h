@@ -41,7 +41,15 @@ struct ScriptPicture
     glm::ivec2 size{1280, 720};
     std::optional<model::Camera> camera; ///< the scene's first one without
     double seconds = 0.0;                ///< of the transport
+    double frameSeconds = 1.0 / 30.0;    ///< that motion is said over
+    bool isTransparent = false;          ///< see PictureRequest
     model::CrowdFramePtr frame;          ///< people; null: as the scene shows them at that time
+    struct Before
+    {
+        double seconds = 0.0;
+        model::Camera camera;
+    };
+    std::optional<Before> before{}; ///< the moment that motion is said against; none: it stands
     ChosenLook look{};
     LensWish lens{};
     PicturePasses passes{};

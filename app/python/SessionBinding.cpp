@@ -145,8 +145,12 @@ py::object pictureNow(ScriptSession& session, int width, int height, const Camer
 {
     const CrowdFramePtr frame = frameOf(session);
     LongCall call({});
-    return pictureOf(*session.scene(), {width, height}, camera,
-                     {{look, by, cameraName(camera)}, {focus, fStop}}, frame->seconds, frame, call);
+    ScriptPicture request;
+    request.size = {width, height};
+    request.seconds = frame->seconds;
+    request.frame = frame;
+    return pictureOf(*session.scene(), std::move(request), camera,
+                     {{look, by, cameraName(camera)}, {focus, fStop}}, call);
 }
 
 using SessionClass = py::class_<ScriptSession, std::shared_ptr<ScriptSession>>;

@@ -1367,18 +1367,23 @@ class Scene:
     def seats(self) -> Dict[Any, Any]:
         """Arrays by name: id, position (N×3, metres), heading (radians), rank, wedge, and free
         (bool)."""
-    def render(self, width: int, height: int, *, camera: Union[None, str, Camera] = ..., time: float = ..., look: str = ..., by: str = ..., focus: Optional[float] = ..., f_stop: Optional[float] = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> Picture:
+    def render(self, width: int, height: int, *, camera: Union[None, str, Camera] = ..., time: float = ..., look: str = ..., by: str = ..., focus: Optional[float] = ..., f_stop: Optional[float] = ..., transparent: bool = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> Picture:
         """The picture as height × width × 4 uint8. Needs no display. time: seconds, at most a
-        week. look: one of the scene's by its name, or "plain", "lit", "cartoon" and the like;
-        without it, as the camera has it, else lit. by: what people are coloured by, in the
-        look "property": "template", "group", "tag", "clip", "height", "density", a property
-        that is a number, or "feature:KIND". focus (metres from the camera; without it, what
-        the camera turns around) and f_stop (the smaller, the less is sharp; 0.5 without it):
-        depth of field, where either is given. Where a stage, or a character of whom there is
+        week. camera: a name or a Camera; without one, as the timeline has it at that time, or
+        the scene's first. look: one of the scene's by its name, or "plain", "lit", "cartoon"
+        and the like; without it, as the camera has it, else lit. by: what people are coloured
+        by, in the look "property": "template", "group", "tag", "clip", "height", "density", a
+        property that is a number, or "feature:KIND". focus (metres from the camera; without
+        it, what the camera turns around) and f_stop (the smaller, the less is sharp; 0.5
+        without it): depth of field, where either is given. transparent: alpha is 0 where
+        neither people nor stages are. Where a stage, or a character of whom there is
         somebody, could not be loaded, it fails and says what is missing, unless
         allow_missing. progress: is called with the share that is done, 0 to 1, some times a
         second; what it raises, as Ctrl+C, ends the call, which takes back what it did."""
-    def render_passes(self, width: int, height: int, passes: List[str], *, camera: Union[None, str, Camera] = ..., time: float = ..., look: str = ..., by: str = ..., path: Optional[FilePath] = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> Dict[Any, Any]:
+    def camera_at(self, time: float) -> Camera:
+        """The camera as the timeline's marks have moved it by then: seconds of the clock.
+        Without such marks it is the scene's first."""
+    def render_passes(self, width: int, height: int, passes: List[str], *, camera: Union[None, str, Camera] = ..., time: float = ..., look: str = ..., by: str = ..., path: Optional[FilePath] = ..., transparent: bool = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> Dict[Any, Any]:
         """What the picture shows, in numbers for compositing: by the name of each of the passes
         an array, height × width, × the components where there are several, float32 or uint32,
         rows from the top. path: an .exr file that they are written to as well, a layer each.
@@ -1387,12 +1392,22 @@ class Scene:
         finished picture, of 8 bits each, as linear light, colours times alpha); depth (metres
         along the view axis; 1e10 where nothing is); normal (unit vectors, world, towards the
         camera's side; 0 where nothing is); position (metres, world, Y up; 0 where nothing
-        is); id (the individual's id; 0 where nobody is); template (the individual's template;
-        0 where nobody is); cryptomatte (mattes of everybody and of every template with smooth
-        edges, by the Cryptomatte specification; 24 components; sharp where the colours have
-        depth of field). camera, time, look, by and allow_missing are as of render. progress:
-        is called with the share that is done, 0 to 1, some times a second; what it raises, as
-        Ctrl+C, ends the call, which takes back what it did."""
+        is); motion (pixels, right and up, to where the same point was a frame earlier; 0
+        where somebody was not there yet); id (the individual's id; 0 where nobody is);
+        template (the individual's template; 0 where nobody is); cryptomatte (mattes of
+        everybody and of every template with smooth edges, by the Cryptomatte specification;
+        24 components; sharp where the colours have depth of field). camera, time, look, by,
+        transparent and allow_missing are as of render. progress: is called with the share
+        that is done, 0 to 1, some times a second; what it raises, as Ctrl+C, ends the call,
+        which takes back what it did."""
+    def make_movie(self, path: FilePath, frames: List[int], *, fps: float = ..., width: int = ..., height: int = ..., camera: Union[None, str, Camera] = ..., look: str = ..., by: str = ..., passes: List[str] = ..., transparent: bool = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> List[Any]:
+        """Draws frames of the scene, such as range(300), each at its number / fps seconds: into
+        one movie where path ends as one (.mp4, .webm, .gif; made by ffmpeg), else each into a
+        picture of its own, with its number for the #### of path. Without a camera, the
+        timeline moves it. passes: as of render_passes, into .exr files. Returns what was
+        written. camera, look, by and allow_missing are as of render. progress: is called with
+        the share that is done, 0 to 1, some times a second; what it raises, as Ctrl+C, ends
+        the call, which takes back what it did."""
     @property
     def templates(self) -> List[Template]:
         """Characters to make copies of."""
@@ -1620,8 +1635,8 @@ class Camera:
 
 class Picture(numpy.ndarray[Any, Any]):
     """A picture: height × width × 4 uint8, red, green, blue, alpha, sRGB, rows from the top."""
-    def save_png(self, path: FilePath) -> None:
-        """Writes the picture to a file, whole or not at all."""
+    def save_png(self, path: FilePath, transparent: bool = ...) -> None:
+        """Writes the picture to a file, whole or not at all; with its alpha where transparent."""
 
 
 class Lighting:
@@ -2854,7 +2869,7 @@ class Look(Entry):
 
 class Mark(Entry):
     """A moment of the timeline, and what happens then."""
-    def __init__(self, *, id: int, name: str = ..., seconds: float = ..., kind: Literal["marker", "cue", "state", "event"] = ..., cue: Union[int, Cue] = ..., state: int = ..., fade: float = ..., spread: float = ..., order: Literal["distance", "heading", "row", "wedge", "random"] = ..., point: Sequence[float] = ..., heading: float = ..., event: str = ..., payload: float = ..., people: Sequence[Any] = ..., delays: Sequence[int] = ...) -> None:
+    def __init__(self, *, id: int, name: str = ..., seconds: float = ..., kind: Literal["marker", "cue", "state", "event", "camera"] = ..., cue: Union[int, Cue] = ..., state: int = ..., fade: float = ..., spread: float = ..., order: Literal["distance", "heading", "row", "wedge", "random"] = ..., point: Sequence[float] = ..., heading: float = ..., event: str = ..., payload: float = ..., move: Literal["to", "around", "along"] = ..., camera: str = ..., path: Union[int, Path] = ..., turn: float = ..., travel: float = ..., above: float = ..., ahead: bool = ..., gentle: bool = ..., people: Sequence[Any] = ..., delays: Sequence[int] = ...) -> None:
         ...
     id: int
     """of no other mark of the scene; must be given"""
@@ -2862,7 +2877,7 @@ class Mark(Entry):
     """as the editor shows it"""
     seconds: float
     """when it happens, by the clock; 0 to 604800 s; begins as 0.0"""
-    kind: Literal["marker", "cue", "state", "event"]
+    kind: Literal["marker", "cue", "state", "event", "camera"]
     """what happens; begins as 'marker'"""
     cue: int
     """id of the cue that is called, of `cue`; begins as 0"""
@@ -2883,6 +2898,24 @@ class Mark(Entry):
     """that people hear, of `event`"""
     payload: float
     """the number that comes along; -1e6 to 1e6; begins as 0.0"""
+    move: Literal["to", "around", "along"]
+    """what the camera does, of `camera`; begins as 'to'"""
+    camera: str
+    """name of the camera that it goes to, or begins the move with; empty: it goes on from where
+    it is"""
+    path: int
+    """id of the path that it travels along, of "along"; begins as 0"""
+    turn: float
+    """radians that it turns by, of "around"; -1000 to 1000; begins as 6.2831855"""
+    travel: float
+    """seconds that the move takes; 0: a cut; 0 to 36000 s; begins as 0.0"""
+    above: float
+    """metres above the path, of "along"; -10000 to 10000 m; begins as 1.7"""
+    ahead: bool
+    """whether it looks where it travels, of "along"; else at what it looked at before; begins as
+    True"""
+    gentle: bool
+    """whether the move begins and ends slowly; begins as True"""
     people: List[int]
     """ids of those whom it is for; empty: whomever the cue reaches, all of the state, everybody;
     1 to 2.14748e9"""

@@ -304,10 +304,6 @@ void FileController::take(model::Scene scene, const Opening& opening)
         m_state.document().undoStack().resetClean(); // not what the file holds
         m_autosaver.adopt(opening.file);
     }
-    if (!m_state.scene().cameras.empty()) {
-        const model::NamedCamera& first = m_state.scene().cameras.front();
-        m_state.setCamera(first.camera, QString::fromStdString(first.name));
-    }
     m_state.transport().rewind();
     if (!opening.documentPath.isEmpty()) {
         addRecentFile(opening.documentPath);

@@ -24,6 +24,7 @@
 #include "behavior/session/SceneMotion.h"
 #include "model/base/Translated.h"
 #include "model/scene/LookPreset.h"
+#include "model/view/CameraTrack.h"
 
 namespace crowd::app {
 
@@ -35,10 +36,12 @@ struct MovieJob
 {
     QString path;
     PictureJob picture;
+    model::CameraTrack camera;
     model::Scene scene;
     model::CrowdFramePtr shown;                 ///< whom the run does not have
     std::shared_ptr<behavior::MotionCache> run; ///< null: the scene from its beginning
     TimeSpan span;
+    double earliest = 0.0; ///< seconds: nothing is known of what was before
     double framesPerSecond = 30.0;
     PicturePasses passes;
     bool isResumed = false; ///< numbered pictures that are there stay
@@ -54,6 +57,10 @@ struct MovieJob
     [[nodiscard]] int pictures() const
     {
         return 1 + static_cast<int>(std::floor((span.to - span.from) * framesPerSecond + 1e-6));
+    }
+    [[nodiscard]] double secondsOf(int number) const
+    {
+        return span.from + number / framesPerSecond;
     }
 };
 
@@ -127,6 +134,12 @@ public:
         if (!m_job.isMovie()) {
             return {};
         }
+        if (m_job.picture.request.isTransparent) {
+            return model::Error{
+                QT_TRANSLATE_NOOP("Messages", "%1: a movie cannot be transparent. Choose numbered "
+                                              "pictures, or switch the transparency off."),
+                m_job.path.toStdString()};
+        }
         auto movie =
             MovieFile::create(m_job.path, m_job.picture.request.size, m_job.framesPerSecond);
         if (!movie) {
@@ -157,6 +170,17 @@ private:
     std::unique_ptr<MovieFile> m_movie;
 };
 
+/// A camera's own look comes with it, as in the view.
+void lookThrough(const model::Scene& scene, const model::DirectedCamera& camera,
+                 PictureJob& picture)
+{
+    picture.request.camera = camera.camera;
+    const model::LookPreset* look = model::findLook(scene.looks, camera.look);
+    if (look != nullptr) {
+        picture.request.ownLook = *look;
+    }
+}
+
 model::Result<void> drawMovie(const MovieJob& job, const widgets::TaskReport& report)
 {
     model::KeyframeStore keyframes(kMovieKeyframeBytes);
@@ -177,13 +201,25 @@ model::Result<void> drawMovie(const MovieJob& job, const widgets::TaskReport& re
         }
         const float share = static_cast<float>(i) / static_cast<float>(pictures);
         const auto keepGoing = [&](double) { return report(job.title, share); };
-        const auto frame = frames.at(job.span.from + i / job.framesPerSecond, keepGoing);
+        picture.request.earlier.reset();
+        if (needAny(job.passes, PassNeed::Motion)) {
+            const double before = std::max(job.secondsOf(i - 1), job.earliest);
+            const auto frame = frames.at(before, keepGoing);
+            if (!frame) {
+                return frame.error();
+            }
+            picture.request.earlier = render::EarlierMoment{
+                frame.value(), job.camera.before(before, job.secondsOf(i)).camera};
+        }
+        const auto frame = frames.at(job.secondsOf(i), keepGoing);
         if (!frame) {
             return frame.error();
         }
         if (!keepGoing(0.0)) {
             return stopped();
         }
+        picture.request.ownLook = job.picture.request.ownLook;
+        lookThrough(job.scene, job.camera.at(job.secondsOf(i)), picture);
         const PictureRequest& request = picture.ask(job.scene, frame.value());
         if (auto drawn = maker.value()->draw(request, keepGoing); !drawn) {
             return drawn;
@@ -195,16 +231,17 @@ model::Result<void> drawMovie(const MovieJob& job, const widgets::TaskReport& re
     return drawnFrames.finish();
 }
 
-std::vector<SaveKind> movieKinds(bool hasPasses)
+/// That can be what was chosen.
+std::vector<SaveKind> movieKinds(bool hasPasses, bool isTransparent)
 {
     std::vector<SaveKind> kinds;
     for (const MovieFormat& format : movieFormats()) {
-        if (!hasPasses) {
+        if (!hasPasses && !isTransparent) {
             kinds.push_back({QLatin1String(format.name), {QLatin1String(format.ending)}});
         }
     }
     for (const PictureFormat& format : pictureFormats()) {
-        if (hasPasses && !format.hasLayers) {
+        if ((hasPasses && !format.hasLayers) || (isTransparent && !format.hasTransparency)) {
             continue;
         }
         SaveKind& kind = kinds.emplace_back();
@@ -226,14 +263,24 @@ int countThere(const MovieJob& job)
     return there;
 }
 
-/// A camera's own look, as the view takes it on with the camera.
-void lookThrough(const model::Scene& scene, const model::NamedCamera& camera, PictureJob& picture)
+/// A movie's camera by what was chosen.
+model::CameraTrack trackOf(const MovieCamera& chosen, const MovieJob& job,
+                           const model::Camera& view)
 {
-    picture.request.camera = camera.camera;
-    const model::LookPreset* look = model::findLook(scene.looks, camera.look);
-    if (look != nullptr) {
-        picture.request.ownLook = *look;
+    using Kind = MovieCamera::Kind;
+    const auto index = static_cast<std::size_t>(std::max(chosen.index, 0));
+    if (chosen.kind == Kind::Timeline) {
+        return model::CameraTrack(job.scene);
     }
+    if (chosen.kind == Kind::Scene && index < job.scene.cameras.size()) {
+        return model::CameraTrack(model::directed(job.scene.cameras[index]));
+    }
+    const model::DirectedCamera start{view, {}, 0};
+    if (chosen.kind == Kind::Turntable) {
+        return model::CameraTrack::turntable(start, job.span.from,
+                                             job.pictures() / job.framesPerSecond);
+    }
+    return model::CameraTrack(start);
 }
 
 } // namespace
@@ -251,13 +298,16 @@ void MovieController::make(glm::ivec2 view)
         return;
     }
     const widgets::SessionControl& session = m_state.session();
-    MovieDialog::Offer offer{view, {}};
+    MovieDialog::Offer offer;
+    offer.view = view;
     for (const model::NamedCamera& camera : m_state.scene().cameras) {
         offer.cameras << QString::fromStdString(camera.name);
     }
     if (session.isRunning() && session.liveSeconds() > session.firstSeconds()) {
         offer.run = TimeSpan{session.firstSeconds(), session.liveSeconds()};
     }
+    offer.hasMoves = m_state.director().track().hasMoves();
+    offer.isFollowed = m_state.director().isOn();
     if (const model::PlayRange& range = m_state.scene().playRange; range.isSet()) {
         offer.range = TimeSpan{range.begin, range.end};
     }
@@ -265,10 +315,10 @@ void MovieController::make(glm::ivec2 view)
     if (dialog.exec() != QDialog::Accepted) {
         return;
     }
-    const QString path =
-        askForPath(m_window, tr("Make Movie"), movieKinds(!dialog.passes().empty()),
-                   QStringLiteral("movie/folder"), m_state.document().path(),
-                   QStandardPaths::writableLocation(QStandardPaths::MoviesLocation), tr("movie"));
+    const QString path = askForPath(
+        m_window, tr("Make Movie"), movieKinds(!dialog.passes().empty(), dialog.isTransparent()),
+        QStringLiteral("movie/folder"), m_state.document().path(),
+        QStandardPaths::writableLocation(QStandardPaths::MoviesLocation), tr("movie"));
     if (!path.isEmpty()) {
         draw(path, dialog);
     }
@@ -300,13 +350,12 @@ void MovieController::draw(const QString& path, const MovieDialog& chosen)
     job.framesPerSecond = chosen.framesPerSecond();
     job.passes = chosen.passes();
     job.title = tr("Drawing %1").arg(QFileInfo(path).fileName());
-    const auto camera = static_cast<std::size_t>(std::max(chosen.camera(), 0));
-    if (chosen.camera() >= 0 && camera < job.scene.cameras.size()) {
-        lookThrough(job.scene, job.scene.cameras[camera], job.picture);
-    }
+    job.camera = trackOf(chosen.camera(), job, m_state.camera());
     job.picture.request.size = chosen.chosenSize();
+    job.picture.request.isTransparent = chosen.isTransparent();
     if (chosen.isOfRun()) {
         job.run = m_state.session().motion();
+        job.earliest = m_state.session().firstSeconds();
         job.shown = m_state.document().frame(job.span.from);
     }
     if (const int there = countThere(job); there > 0 && !askOfThose(there, job.isResumed)) {

@@ -6,6 +6,7 @@
 
 #include <QtCore/QSettings>
 #include <QtCore/QSignalBlocker>
+#include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QDoubleSpinBox>
@@ -23,6 +24,7 @@ namespace {
 
 const QString kMovieRate = QStringLiteral("movie/framesPerSecond");
 const QString kMovieSeconds = QStringLiteral("movie/seconds");
+const QString kMovieTransparent = QStringLiteral("movie/transparent");
 constexpr double kRates[] = {24.0, 25.0, 30.0, 50.0, 60.0};
 constexpr double kUsualRate = 30.0;
 constexpr double kUsualSeconds = 10.0;
@@ -45,12 +47,12 @@ MovieDialog::MovieDialog(const Offer& offer, QWidget* parent)
       m_from(secondsField("movieFrom", this)), m_to(secondsField("movieTo", this)),
       m_rates(new QComboBox(this)), m_count(new QLabel(this)),
       m_size(new PictureSizeFields(offer.view, QStringLiteral("movie/size"), this)),
-      m_cameras(new QComboBox(this)), m_passes(new PassFields(QStringLiteral("movie/passes"), this))
+      m_cameras(new QComboBox(this)),
+      m_passes(new PassFields(QStringLiteral("movie/passes"), this)),
+      m_transparent(new QCheckBox(tr("Transparent background"), this))
 {
     setWindowTitle(tr("Make Movie"));
-    m_cameras->setObjectName(QStringLiteral("movieCameras"));
-    m_cameras->addItem(tr("The view as it is"));
-    m_cameras->addItems(offer.cameras);
+    addCameras();
     m_count->setObjectName(QStringLiteral("movieCount"));
     m_count->setEnabled(false);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
@@ -63,6 +65,10 @@ MovieDialog::MovieDialog(const Offer& offer, QWidget* parent)
     form->addRow(tr("Camera"), m_cameras);
     form->addRow(tr("Size"), m_size);
     form->addRow(tr("EXR passes"), m_passes);
+    m_transparent->setObjectName(QStringLiteral("movieTransparent"));
+    m_transparent->setToolTip(tr("For numbered pictures that are put over others"));
+    m_transparent->setChecked(QSettings().value(kMovieTransparent).toBool());
+    form->addRow(QString(), m_transparent);
     form->addRow(buttons);
     for (QDoubleSpinBox* box : {m_from, m_to}) {
         connect(box, &QDoubleSpinBox::valueChanged, this, &MovieDialog::countPictures);
@@ -88,6 +94,24 @@ void MovieDialog::addSource(QFormLayout& form)
     times->addStretch(1);
     form.addRow(tr("Of"), m_sources);
     form.addRow(tr("From"), times);
+}
+
+void MovieDialog::addCameras()
+{
+    using Kind = MovieCamera::Kind;
+    m_cameras->setObjectName(QStringLiteral("movieCameras"));
+    const auto add = [this](const QString& text, Kind kind) {
+        m_cameras->addItem(text, static_cast<int>(kind));
+    };
+    if (m_offer.hasMoves) {
+        add(tr("As the timeline moves it"), Kind::Timeline);
+    }
+    add(tr("The view as it is"), Kind::View);
+    add(tr("Once around what the view looks at"), Kind::Turntable);
+    for (const QString& camera : m_offer.cameras) {
+        add(camera, Kind::Scene);
+    }
+    m_cameras->setCurrentIndex(m_offer.hasMoves && !m_offer.isFollowed ? 1 : 0); // as it is seen
 }
 
 void MovieDialog::addRate(QFormLayout& form)
@@ -158,9 +182,16 @@ PicturePasses MovieDialog::passes() const
     return m_passes->chosen();
 }
 
-int MovieDialog::camera() const
+bool MovieDialog::isTransparent() const
 {
-    return m_cameras->currentIndex() - 1;
+    return m_transparent->isChecked();
+}
+
+MovieCamera MovieDialog::camera() const
+{
+    const int before = m_cameras->count() - static_cast<int>(m_offer.cameras.size());
+    return {static_cast<MovieCamera::Kind>(m_cameras->currentData().toInt()),
+            m_cameras->currentIndex() - before};
 }
 
 void MovieDialog::accept()
@@ -172,6 +203,7 @@ void MovieDialog::accept()
     }
     m_size->remember();
     m_passes->remember();
+    settings.setValue(kMovieTransparent, isTransparent());
     QDialog::accept();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include <QtCore/QStringList>
@@ -10,6 +11,7 @@
 
 #include "app/pictures/PicturePasses.h"
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
@@ -27,6 +29,19 @@ struct TimeSpan
     double to = 0.0;
 };
 
+/// What a movie is taken with.
+struct MovieCamera
+{
+    enum class Kind : std::uint8_t {
+        Timeline,  ///< as the marks of the timeline move it
+        View,      ///< the view's, all the time
+        Turntable, ///< once around what the view looks at
+        Scene      ///< one of the scene's, all the time
+    };
+    Kind kind = Kind::View;
+    int index = 0; ///< of Scene: of the offered ones
+};
+
 /// What File > Make Movie asks before it asks for a name: of what, from when to when, how many
 /// pictures a second, their size, the camera, and what else files hold. Proposes what was chosen
 /// last, and the whole run where there is one; of either no more than the scene's play range.
@@ -41,6 +56,8 @@ public:
         QStringList cameras;             ///< of the scene
         std::optional<TimeSpan> run{};   ///< what has been played; none: nothing
         std::optional<TimeSpan> range{}; ///< what of all time is played; none: all
+        bool hasMoves = false;           ///< the timeline moves a camera
+        bool isFollowed = false;         ///< and the view goes along
     };
     MovieDialog(const Offer& offer, QWidget* parent);
 
@@ -50,13 +67,15 @@ public:
     [[nodiscard]] double framesPerSecond() const;
     [[nodiscard]] glm::ivec2 chosenSize() const;
     [[nodiscard]] PicturePasses passes() const; ///< empty: the colours alone
-    [[nodiscard]] int camera() const;           ///< index of the offered ones; -1: the view
+    [[nodiscard]] bool isTransparent() const;   ///< numbered pictures alone can be
+    [[nodiscard]] MovieCamera camera() const;
 
     void accept() override;
 
 private:
     void addSource(QFormLayout& form);
     void addRate(QFormLayout& form);
+    void addCameras();
     void chooseSource();
     void countPictures();
 
@@ -69,6 +88,7 @@ private:
     PictureSizeFields* m_size;
     QComboBox* m_cameras;
     PassFields* m_passes;
+    QCheckBox* m_transparent;
 };
 
 } // namespace crowd::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/PictureController.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -69,6 +70,8 @@ std::vector<SaveKind> pictureKinds(bool hasPasses)
     return kinds;
 }
 
+constexpr double kFrameSeconds = 1.0 / 30.0; ///< that motion is said over
+
 /// Metres along the view axis to the middle of who is selected; none: nobody is, or behind it.
 std::optional<double> selectedDepth(const widgets::EditorState& state)
 {
@@ -128,6 +131,11 @@ void PictureController::draw(const QString& path, const PictureDialog& chosen)
     job.picture.request.size = chosen.chosenSize();
     job.picture.request.lens = lens.value();
     job.picture.request.isTransparent = chosen.isTransparent();
+    if (needAny(job.passes, PassNeed::Motion)) {
+        const double before = m_state.transport().seconds() - kFrameSeconds;
+        job.picture.request.earlier =
+            render::EarlierMoment{m_state.session().frame(std::max(before, 0.0)), m_state.camera()};
+    }
     m_task.start(
         tr("Saving the picture…"),
         [job = std::move(job)](const widgets::TaskReport& report) {

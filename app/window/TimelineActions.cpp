@@ -21,6 +21,18 @@ const WindowAction kTimelineActions[] = {
     {{"mark-add", QT_TRANSLATE_NOOP("Actions", "Add &Marker"), "mark", "Ctrl+M",
       QT_TRANSLATE_NOOP("Actions", "A marker in the timeline at this moment")},
      [](MainWindow& w, bool) { widgets::addMarkerNow(w.state()); }},
+    {{"camera-mark", QT_TRANSLATE_NOOP("Actions", "&Camera as Now"), "camera-mark", "Ctrl+Alt+K",
+      QT_TRANSLATE_NOOP("Actions", "From this moment of the timeline on the camera looks as the "
+                                   "view does now")},
+     [](MainWindow& w, bool) { widgets::addCameraNow(w.state()); }},
+    {{"camera-follow", QT_TRANSLATE_NOOP("Actions", "Follow the T&imeline"), "camera-follow",
+      "Ctrl+Alt+C",
+      QT_TRANSLATE_NOOP("Actions", "The view looks through the timeline's camera, where there is "
+                                   "one"),
+      true},
+     [](MainWindow& w, bool on) { w.state().director().setOn(on); },
+     {.inputs = ActionInput::View,
+      .isChecked = [](MainWindow& w) { return w.state().director().isOn(); }}},
     {{"mark-back", QT_TRANSLATE_NOOP("Actions", "Former Mar&k"), "mark-back", "Ctrl+Shift+Left",
       QT_TRANSLATE_NOOP("Actions", "Show the moment of the mark before this one")},
      [](MainWindow& w, bool) { widgets::showNextMark(w.state(), false); }},

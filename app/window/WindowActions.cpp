@@ -417,18 +417,58 @@ constexpr const char* kSelectMenu[] = {
     "select-all",    "select-none",   "select-invert",  "", "select-similar",
     "select-grow",   "select-shrink", "select-related", "", "select-lasso",
     "group-selected"};
-constexpr const char* kViewMenu[] = {
-    "frame-selection", "frame-all", "",           "view-front", "view-side",     "view-top",
-    "projection",      "",          "camera-add", "@cameras",   "@keep-cameras", "",
-    "paths",           "walkable",  "tags",       "relations",  "ground-grid",   "shadows",
-    "look-lit",        "@looks",    "",           "full-screen"};
-constexpr const char* kPlayMenu[] = {
-    "play",      "step",      "step-back", "catch-up",        "take-from-here",
-    "stop",      "",          "faster",    "slower",          "@step-length",
-    "",          "keep-pose", "",          "timeline-record", "mark-add",
-    "mark-back", "mark-next", "",          "range-begin",     "range-end",
-    "range-all", "play-loop", "",          "range-first",     "range-last",
-    "",          "rules",     "timeline"};
+constexpr const char* kViewMenu[] = {"frame-selection",
+                                     "frame-all",
+                                     "",
+                                     "view-front",
+                                     "view-side",
+                                     "view-top",
+                                     "projection",
+                                     "",
+                                     "camera-add",
+                                     "@cameras",
+                                     "@keep-cameras",
+                                     "camera-follow",
+                                     "",
+                                     "paths",
+                                     "walkable",
+                                     "tags",
+                                     "relations",
+                                     "ground-grid",
+                                     "shadows",
+                                     "look-lit",
+                                     "@looks",
+                                     "",
+                                     "full-screen"};
+constexpr const char* kPlayMenu[] = {"play",
+                                     "step",
+                                     "step-back",
+                                     "catch-up",
+                                     "take-from-here",
+                                     "stop",
+                                     "",
+                                     "faster",
+                                     "slower",
+                                     "@step-length",
+                                     "",
+                                     "keep-pose",
+                                     "",
+                                     "timeline-record",
+                                     "mark-add",
+                                     "camera-mark",
+                                     "mark-back",
+                                     "mark-next",
+                                     "",
+                                     "range-begin",
+                                     "range-end",
+                                     "range-all",
+                                     "play-loop",
+                                     "",
+                                     "range-first",
+                                     "range-last",
+                                     "",
+                                     "rules",
+                                     "timeline"};
 constexpr const char* kScriptMenu[] = {"console", "",           "script-record",
                                        "",        "script-run", "script-cancel"};
 constexpr const char* kWindowMenu[] = {"@docks", "", "hide-panels", "reset-layout"};
@@ -581,6 +621,7 @@ void connectInputs(MainWindow& window)
     follow(&state, &widgets::EditorState::toolChanged, ActionInput::Tool);
     follow(&state, &widgets::EditorState::brushChanged, ActionInput::Brush);
     follow(&state, &widgets::EditorState::viewOptionsChanged, ActionInput::View);
+    follow(&state.director(), &widgets::CameraDirector::changed, ActionInput::View);
     follow(&state.transport(), &widgets::Transport::stateChanged, ActionInput::Playback);
     follow(&state.session(), &widgets::SessionControl::stateChanged, ActionInput::Session);
     follow(&state.session().recorder(), &widgets::MarkRecorder::changed, ActionInput::Session);

@@ -102,7 +102,7 @@ void DueMarks::read(const model::Timeline& timeline)
 {
     model::Timeline acting;
     for (const model::Mark& mark : timeline) {
-        if (mark.kind != model::MarkKind::Marker) {
+        if (model::isForPeople(mark.kind)) {
             std::ranges::move(atOneMomentEach(mark), std::back_inserter(acting));
         }
     }

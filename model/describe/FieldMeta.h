@@ -39,7 +39,8 @@ enum class FieldRole : std::uint8_t {
     Individual,   ///< IndividualId; 0: nobody
     Space,        ///< glm::vec3 of the scene, metres, that need not lie on anything
     Counted,      ///< a whole number that people count from 1 and the program from 0
-    Sequence      ///< whole numbers in an order that means something
+    Sequence,     ///< whole numbers in an order that means something
+    Camera        ///< a camera's name; empty: none
 };
 
 /// A member of an enumeration: `key` in scripts and files, `label` and `tip` on screen.

@@ -46,6 +46,31 @@ Message flawOfCue(const Scene& scene, const Mark& mark)
     return cue->state != 0 ? flawOfState(scene, mark, cue->state) : Message();
 }
 
+Message flawOfCamera(const Scene& scene, const Mark& mark)
+{
+    const bool isThere =
+        mark.camera.empty() ||
+        std::ranges::find(scene.cameras, mark.camera, &NamedCamera::name) != scene.cameras.end();
+    if (!isThere) {
+        return {QT_TRANSLATE_NOOP("Messages", "At %1 seconds the timeline wants the camera “%2”, "
+                                              "which is not there. Choose another one for that "
+                                              "mark."),
+                shownTime(mark), shortened(mark.camera)};
+    }
+    const auto path = std::ranges::find(scene.paths, mark.path, &Path::id);
+    if (mark.move == CameraMove::Along && (path == scene.paths.end() || path->places.size() < 2)) {
+        return {QT_TRANSLATE_NOOP("Messages", "At %1 seconds the camera is to travel along a path: "
+                                              "choose one of at least two places for that mark."),
+                shownTime(mark)};
+    }
+    if (mark.move == CameraMove::To && mark.camera.empty()) {
+        return {QT_TRANSLATE_NOOP("Messages", "At %1 seconds the camera goes nowhere: choose a "
+                                              "camera for that mark."),
+                shownTime(mark)};
+    }
+    return {};
+}
+
 bool isAnybodyThere(const Scene& scene, const Mark& mark)
 {
     return std::ranges::any_of(mark.people, [&people = scene.population](int id) {
@@ -59,6 +84,9 @@ Message flawOf(const Scene& scene, const Mark& mark)
 {
     if (mark.kind == MarkKind::Marker) {
         return {};
+    }
+    if (mark.kind == MarkKind::Camera) {
+        return flawOfCamera(scene, mark);
     }
     if (!mark.people.empty() && !isAnybodyThere(scene, mark)) {
         return {QT_TRANSLATE_NOOP("Messages", "At %1 seconds the timeline speaks to characters of "

@@ -55,6 +55,8 @@ double Mark::length() const
         length = static_cast<double>(fade + spread);
     } else if (kind == MarkKind::Event && !delays.empty()) {
         length = secondsOf(std::ranges::max(delays));
+    } else if (kind == MarkKind::Camera) {
+        length = static_cast<double>(travel);
     }
     return length;
 }
@@ -80,8 +82,7 @@ Timeline atOneMomentEach(const Mark& mark)
 
 bool doesAnything(const Timeline& timeline)
 {
-    return std::ranges::any_of(timeline,
-                               [](const Mark& mark) { return mark.kind != MarkKind::Marker; });
+    return std::ranges::any_of(timeline, [](const Mark& mark) { return isForPeople(mark.kind); });
 }
 
 } // namespace crowd::model

@@ -27,15 +27,30 @@ enum class MarkKind : std::uint8_t {
     Marker, ///< nothing: a name for a moment
     Cue,    ///< what the cue does by then
     State,  ///< people take on a state
-    Event   ///< people hear an event
+    Event,  ///< people hear an event
+    Camera  ///< what the timeline is looked at with moves; nobody in the scene notices
 };
+
+/// What the camera does from a mark on. Saved by the keys of kCameraMoves.
+enum class CameraMove : std::uint8_t {
+    To,     ///< goes to a camera of the scene
+    Around, ///< turns around what it looks at
+    Along   ///< travels along a path
+};
+
+/// Whether people do something then.
+[[nodiscard]] constexpr bool isForPeople(MarkKind kind)
+{
+    return kind != MarkKind::Marker && kind != MarkKind::Camera;
+}
 
 /// A week.
 inline constexpr double kLatestMark = 604'800.0;
 inline constexpr std::size_t kMostMarks = 100'000;
 /// That a mark names: files hold no longer lists.
 inline constexpr std::size_t kMostMarkPeople = 100'000;
-inline constexpr int kLatestDelay = 3'600'000; ///< milliseconds
+inline constexpr int kLatestDelay = 3'600'000;     ///< milliseconds
+inline constexpr double kLongestTravel = 36'000.0; ///< seconds
 
 struct Mark
 {
@@ -52,6 +67,16 @@ struct Mark
     float headingRadians = 0.0F; ///< of Heading, also of what a cue recalls
     std::string event;           ///< of Event
     float payload = 0.0F;
+    CameraMove move = CameraMove::To; ///< of Camera, as all until people
+    /// Of the scene, by its name: what it goes to, or begins the move with. Empty: it goes on from
+    /// where it is.
+    std::string camera;
+    float travel = 0.0F;     ///< seconds that it takes; 0: a cut
+    bool isGentle = true;    ///< begins and ends slowly
+    float turn = 6.2831853F; ///< radians, of Around; positive: to the right around it
+    std::uint32_t path = 0;  ///< PathId, of Along
+    float above = 1.7F;      ///< metres over the path, of Along
+    bool looksAhead = true;  ///< of Along; else at what it looked at before
     /// Whom it is for, ascending; they may be gone. Empty: whomever the cue reaches, all of the
     /// state, everybody.
     std::vector<int> people;
@@ -69,6 +94,14 @@ struct Mark
         return {fade, {spread, order, point, headingRadians}};
     }
     void setTiming(const RecallTiming& timing);
+    static bool isOfCamera(const Mark& mark, const FieldContext&)
+    {
+        return mark.kind == MarkKind::Camera;
+    }
+    [[nodiscard]] bool isMoving(CameraMove how) const
+    {
+        return kind == MarkKind::Camera && move == how;
+    }
     [[nodiscard]] bool isSpread() const { return kind == MarkKind::State && spread > 0.0F; }
     friend bool operator==(const Mark&, const Mark&) = default;
 };
@@ -82,7 +115,7 @@ using Timeline = std::vector<Mark>;
 [[nodiscard]] MarkId freeMarkId(const Timeline& timeline);
 /// In the order in which they happen: by time, then by id.
 [[nodiscard]] Timeline inOrder(Timeline timeline);
-/// Whether some of them does something.
+/// Whether people do something at some of them.
 [[nodiscard]] bool doesAnything(const Timeline& timeline);
 /// What happens at one moment each: an event that people hear one after the other becomes several
 /// marks with the same id, each for those who hear it then.
@@ -109,7 +142,17 @@ inline constexpr std::array kMarkKinds{
     FieldChoice{"state", QT_TRANSLATE_NOOP("Fields", "recall a state"),
                 QT_TRANSLATE_NOOP("Fields", "In the run alone: the scene stays as it is")},
     FieldChoice{"event", QT_TRANSLATE_NOOP("Fields", "send an event"),
-                QT_TRANSLATE_NOOP("Fields", "Rules answer it")}};
+                QT_TRANSLATE_NOOP("Fields", "Rules answer it")},
+    FieldChoice{"camera", QT_TRANSLATE_NOOP("Fields", "move the camera"),
+                QT_TRANSLATE_NOOP("Fields", "A cut, or a move that takes its time")}};
+
+inline constexpr std::array kCameraMoves{
+    FieldChoice{"to", QT_TRANSLATE_NOOP("Fields", "to a camera"),
+                QT_TRANSLATE_NOOP("Fields", "At once, or as a flight")},
+    FieldChoice{"around", QT_TRANSLATE_NOOP("Fields", "around"),
+                QT_TRANSLATE_NOOP("Fields", "Around what it looks at")},
+    FieldChoice{"along", QT_TRANSLATE_NOOP("Fields", "along a path"),
+                QT_TRANSLATE_NOOP("Fields", "From its first place to its last")}};
 
 constexpr auto Mark::fields()
 {
@@ -199,6 +242,69 @@ constexpr auto Mark::fields()
                                .sliderLow = 0.0,
                                .sliderHigh = 10.0})
             .when([](const Mark& s, const C&) { return s.kind == MarkKind::Event; }),
+        field(&Mark::move, {.key = "move",
+                            .label = QT_TRANSLATE_NOOP("Fields", "Move"),
+                            .doc = "what the camera does, of `camera`",
+                            .choices = kCameraMoves})
+            .when(&Mark::isOfCamera),
+        field(&Mark::camera,
+              {.key = "camera",
+               .label = QT_TRANSLATE_NOOP("Fields", "Camera"),
+               .tip = QT_TRANSLATE_NOOP("Fields", "Where it goes to, or begins with"),
+               .doc = "name of the camera that it goes to, or begins the move with; empty: it "
+                      "goes on from where it is",
+               .role = FieldRole::Camera,
+               .zero = QT_TRANSLATE_NOOP("Fields", "From where it is")})
+            .when(&Mark::isOfCamera),
+        field(&Mark::path,
+              rulefields::reference({.label = QT_TRANSLATE_NOOP("Fields", "Path"),
+                                     .doc = "id of the path that it travels along, of \"along\"",
+                                     .zero = QT_TRANSLATE_NOOP("Fields", "None")},
+                                    "path", FieldRole::Path))
+            .when([](const Mark& s, const C&) { return s.isMoving(CameraMove::Along); }),
+        field(&Mark::turn, {.key = "turn",
+                            .label = QT_TRANSLATE_NOOP("Fields", "Turns by"),
+                            .tip = QT_TRANSLATE_NOOP("Fields", "360°: once around; less than "
+                                                               "nothing: the other way"),
+                            .doc = "radians that it turns by, of \"around\"",
+                            .unit = QT_TRANSLATE_NOOP("Fields", "°"),
+                            .low = -1e3,
+                            .high = 1e3,
+                            .sliderLow = -720.0,
+                            .sliderHigh = 720.0,
+                            .step = 15.0,
+                            .decimals = 0,
+                            .shownScale = 57.29577951308232})
+            .when([](const Mark& s, const C&) { return s.isMoving(CameraMove::Around); }),
+        field(&Mark::travel, {.key = "travel",
+                              .label = QT_TRANSLATE_NOOP("Fields", "Takes"),
+                              .tip = QT_TRANSLATE_NOOP("Fields", "0: at once, a cut"),
+                              .doc = "seconds that the move takes; 0: a cut",
+                              .unit = QT_TRANSLATE_NOOP("Fields", " s"),
+                              .high = kLongestTravel,
+                              .sliderHigh = 20.0})
+            .when(&Mark::isOfCamera),
+        field(&Mark::above, {.key = "above",
+                             .label = QT_TRANSLATE_NOOP("Fields", "Above it"),
+                             .doc = "metres above the path, of \"along\"",
+                             .unit = QT_TRANSLATE_NOOP("Fields", " m"),
+                             .low = -1e4,
+                             .high = 1e4,
+                             .sliderLow = 0.0,
+                             .sliderHigh = 20.0})
+            .when([](const Mark& s, const C&) { return s.isMoving(CameraMove::Along); }),
+        field(&Mark::looksAhead,
+              {.key = "ahead",
+               .label = QT_TRANSLATE_NOOP("Fields", "Looks ahead"),
+               .tip = QT_TRANSLATE_NOOP("Fields", "Else at what it looked at before"),
+               .doc = "whether it looks where it travels, of \"along\"; else at what it looked "
+                      "at before"})
+            .when([](const Mark& s, const C&) { return s.isMoving(CameraMove::Along); }),
+        field(&Mark::isGentle, {.key = "gentle",
+                                .label = QT_TRANSLATE_NOOP("Fields", "Gently"),
+                                .tip = QT_TRANSLATE_NOOP("Fields", "It begins and ends slowly"),
+                                .doc = "whether the move begins and ends slowly"})
+            .when([](const Mark& s, const C& c) { return isOfCamera(s, c) && s.travel > 0.0F; }),
         field(&Mark::people, {.key = "people",
                               .doc = "ids of those whom it is for; empty: whomever the cue "
                                      "reaches, all of the state, everybody",

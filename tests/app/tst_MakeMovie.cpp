@@ -5,6 +5,7 @@
 #include <QtCore/QFile>
 #include <QtCore/QTimer>
 #include <QtGui/QAction>
+#include <QtGui/QImage>
 #include <QtTest/QTest>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
@@ -55,6 +56,7 @@ private Q_SLOTS:
     void cleanup() { qunsetenv("CROWDBRUSH_FFMPEG"); }
     void ofTheSceneFromItsBeginning();
     void ofWhatHasBeenPlayed();
+    void asTheTimelineMovesTheCamera();
     void asNumberedPictures();
     void nothingStaysOfWhatIsCancelled();
     void saysWhereFfmpegIsNot();
@@ -96,14 +98,54 @@ void TestMakeMovie::ofTheSceneFromItsBeginning()
         auto* count = dialog.findChild<QLabel*>(QStringLiteral("movieCount"));
         QVERIFY2(count->text().startsWith(QStringLiteral("16 ")), qPrintable(count->text()));
         auto* cameras = dialog.findChild<QComboBox*>(QStringLiteral("movieCameras"));
-        QCOMPARE(cameras->count(), 2);
-        cameras->setCurrentIndex(1);
+        QCOMPARE(cameras->count(), 3); // the view, around it, the scene's own
+        cameras->setCurrentIndex(2);
     }));
     QTRY_VERIFY_WITH_TIMEOUT(m_window->isFree(), 6 * kPatienceMs);
     const auto pictures = picturesOf(path, kWidth, kHeight);
     QCOMPARE(pictures.size(), std::size_t{16});
     QVERIFY(pictures.front() != pictures.back());
     QVERIFY(!m_window->state().session().isRunning()); // it was another run
+}
+
+void TestMakeMovie::asTheTimelineMovesTheCamera()
+{
+    model::Scene scene = plainScene(1); // who stands
+    scene.cameras.push_back({"aside", model::Camera::lookingAt({9, 2, 1}, {0, 1, 0})});
+    model::Mark cut;
+    cut.id = 1;
+    cut.kind = model::MarkKind::Camera;
+    cut.seconds = 0.2;
+    cut.camera = "aside";
+    scene.timeline = {cut};
+    openScene(scene, QStringLiteral("cut.crowd"));
+    const QString path = pathOf(QStringLiteral("cut.png"));
+    const auto picturesTaken = [&](int camera) {
+        (void)make(path, [camera](QDialog& dialog) {
+            dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieTo"))->setValue(0.3);
+            auto* rates = dialog.findChild<QComboBox*>(QStringLiteral("movieRates"));
+            rates->setCurrentIndex(rates->findData(30.0));
+            auto* cameras = dialog.findChild<QComboBox*>(QStringLiteral("movieCameras"));
+            QCOMPARE(cameras->currentIndex(), 0); // by the timeline, unless one wants otherwise
+            cameras->setCurrentIndex(camera);
+        });
+        std::vector<QImage> pictures;
+        if (QTest::qWaitFor([this] { return m_window->isFree(); }, 6 * kPatienceMs)) {
+            for (int i = 0; i < 10; ++i) {
+                const QString file = pathOf(QStringLiteral("cut_000%1.png").arg(i));
+                pictures.emplace_back(file);
+                QFile::remove(file);
+            }
+        }
+        return pictures;
+    };
+    const auto directed = picturesTaken(0);
+    const auto around = picturesTaken(2);
+    const auto aside = picturesTaken(4);
+    QVERIFY(directed.size() == 10 && around.size() == 10 && aside.size() == 10);
+    QVERIFY(!directed[0].isNull() && directed[5] != aside[5] && directed[6] == aside[6]);
+    QVERIFY(directed[0] == around[0]);
+    QVERIFY(around[1] != directed[1]);
 }
 
 /// With passes, and again only those that are missing.

@@ -31,6 +31,7 @@ private Q_SLOTS:
     void drawsOnlyWhatMakesSense();
     void drawsPicturesOfTheSizeAskedFor();
     void drawsMovies();
+    void movesTheCamera();
     void drawsNothingThatLacksSomething();
     void opensWhatComesWithIt();
     void aFrameIsTheSameFromAnyRangeAndThreads_data();
@@ -46,6 +47,10 @@ void RenderCommandTest::drawsOnlyWhatMakesSense_data()
     QTest::addColumn<QByteArray>("message");
     const BadUsage rows[] = {
         {"unknown camera", "--output %1/a.png --camera nobody", 1, "no camera named \"nobody\""},
+        {"a camera that moves by itself",
+         "--output %1/a.png --camera Audience --camera-move x.json", 1, "leave --camera away"},
+        {"a move that is not there", "--output %1/a.png --camera-move %1/no.json", 1,
+         "give \"turntable\", or a file"},
         {"size 0", "--output %1/a.png --size 0x0", 2, "--size 0x0"},
         {"size of one number", "--output %1/a.png --size 64", 2, "WIDTHxHEIGHT"},
         {"size 100000", "--output %1/a.png --size 100000x100000", 2, "at most 16384"},
@@ -72,6 +77,9 @@ void RenderCommandTest::drawsOnlyWhatMakesSense_data()
          "no pass \"smell\". There are: colour, depth"},
         {"passes nowhere", "--output %1/no/a.exr --passes id --allow-missing", 1,
          "a.exr cannot be written"},
+        {"a transparent movie", "--output %1/a.mp4 --frames 0-3 --transparent", 2,
+         "cannot be transparent"},
+        {"a transparent JPEG", "--output %1/a.jpg --transparent", 2, "end in .png or .exr"},
         {"a movie gone on with", "--output %1/a.mp4 --frames 0-3 --resume", 2, "as a whole"},
         {"frames backwards", "--output %1/a#.png --frames 3-0", 2, "not a range"},
         {"a place without frames", "--output %1/a#.png", 2, "--frames A-B"},
@@ -188,6 +196,64 @@ void RenderCommandTest::drawsMovies()
     QVERIFY(pictures.front() != pictures.back());
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden),
              QStringList{QStringLiteral("a.webm")});
+}
+
+/// By the timeline, by a file of marks, and around.
+void RenderCommandTest::movesTheCamera()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.crowd"));
+    model::Scene scene = plainScene(5);
+    scene.cameras = {{"front", model::Camera::lookingAt({0.0F, 2.0F, 9.0F}, {0.0F, 1.0F, 0.0F})},
+                     {"top", model::Camera::lookingAt({0.0F, 9.0F, 0.5F}, {0.0F, 0.0F, 0.0F})}};
+    model::Mark cut;
+    cut.id = 1;
+    cut.kind = model::MarkKind::Camera;
+    cut.seconds = 2.0;
+    cut.camera = "top";
+    scene.timeline = {cut};
+    QVERIFY(model::saveProject(scene, path).isOk());
+    const auto pictures = [&](const QString& options) {
+        const QString pattern = folder.filePath(QStringLiteral("f#.png"));
+        const Outcome outcome = run(
+            QStringList{QStringLiteral("render"), path, QStringLiteral("--output"), pattern,
+                        QStringLiteral("--size"), QStringLiteral("64x36"), QStringLiteral("--fps"),
+                        QStringLiteral("1"), QStringLiteral("--frames"), QStringLiteral("0-3")} +
+            options.split(u' ', Qt::SkipEmptyParts));
+        std::vector<QImage> drawn;
+        for (int i = 0; i < 4 && outcome.status == 0; ++i) {
+            drawn.emplace_back(folder.filePath(QStringLiteral("f%1.png").arg(i)));
+        }
+        return drawn;
+    };
+    const auto directed = pictures({});
+    const auto front = pictures(QStringLiteral("--camera front"));
+    const auto top = pictures(QStringLiteral("--camera top"));
+    QVERIFY(directed.size() == 4 && front.size() == 4 && top.size() == 4);
+    QVERIFY(directed[1] == front[1] && directed[2] == top[2] && directed[3] == top[3]);
+    QVERIFY(front[1] != top[1]);
+
+    const auto around = pictures(QStringLiteral("--camera front --camera-move turntable"));
+    QVERIFY(around.size() == 4);
+    QVERIFY(around[0] == front[0] && around[1] != front[1] && around[2] != around[1]);
+    const auto over = pictures(QStringLiteral("--camera front --transparent"));
+    QVERIFY(over.size() == 4 && over[0].hasAlphaChannel() && qAlpha(over[0].pixel(0, 0)) == 0);
+
+    const QString marks = folder.filePath(QStringLiteral("move.json"));
+    const auto byFile = [&](const QByteArray& content) {
+        QFile file(marks);
+        const bool isWritten = file.open(QIODevice::WriteOnly) && file.write(content) >= 0;
+        file.close();
+        return isWritten ? pictures(QStringLiteral("--camera-move ") + marks)
+                         : std::vector<QImage>();
+    };
+    const auto cutEarlier =
+        byFile(R"({"timeline": [{"id": 1, "seconds": 1, "kind": "camera", "camera": "top"}]})");
+    QVERIFY(cutEarlier.size() == 4 && cutEarlier[0] == front[0] && cutEarlier[1] == top[1]);
+    for (const char* odd : {"", "[1]", "{", R"({"timeline": []})", R"({"timeline": 7})",
+                            R"({"timeline": [{"id": 1, "seconds": 1, "kind": "tram"}]})"}) {
+        QVERIFY2(byFile(odd).empty(), odd);
+    }
 }
 
 void RenderCommandTest::drawsNothingThatLacksSomething()

@@ -17,6 +17,7 @@ crowd_add_tests(ROOM model
     tst_BrushSettings
     tst_BrushStroke
     tst_BrushTheatre
+    tst_CameraTrack
     tst_ClipRoles
     tst_CollectAssets
     tst_Environment

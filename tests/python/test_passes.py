@@ -38,6 +38,15 @@ class Passes(unittest.TestCase):
             self.assertLess(np.linalg.norm(passes["position"][y, x] - where[person]), 2.5)
         self.assertTrue((passes["depth"] > 0).all())
 
+    def test_motion_is_against_a_frame_before(self):
+        away = crowdbrush.Camera((0, 6, 12), (0, 0, 0))
+        still = self.scene.render_passes(64, 36, ["motion"], camera=away, time=0.0)["motion"]
+        self.assertEqual((still.shape, still.dtype), ((36, 64, 2), np.float32))
+        self.assertLess(np.abs(still).max(), 0.01)
+        self.scene.timeline = [crowdbrush.Mark(id=1, seconds=1.0, kind="camera", move="around", travel=4.0)]
+        moving = self.scene.render_passes(64, 36, ["motion"], time=3.0)["motion"]
+        self.assertGreater(np.abs(moving[:, :, 0]).mean(), 0.2)
+
     def test_are_written(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "a.exr")

@@ -42,10 +42,61 @@ class Timeline(unittest.TestCase):
         self.scene.undo()
         self.assertFalse(self.scene.environment.get("playRange", {}).get("loop", False))
 
+    def test_the_camera_moves(self):
+        self.scene.set_cameras([("front", crowdbrush.Camera((0, 2, 20), (0, 2, 0))),
+                                ("top", crowdbrush.Camera((0, 30, 1), (0, 0, 0)))])
+        self.assertEqual(self.scene.camera_at(5.0), self.scene.cameras["front"])
+        self.scene.timeline = [Mark(id=1, seconds=2.0, kind="camera", camera="top"),
+                               Mark(id=2, seconds=4.0, kind="camera", move="around", travel=8.0, gentle=False)]
+        self.assertEqual(self.scene.camera_at(1.0), self.scene.cameras["front"])
+        self.assertEqual(self.scene.camera_at(3.0), self.scene.cameras["top"])
+        self.assertAlmostEqual(self.scene.camera_at(8.0).position[2], -1.0, places=3)
+        directed = self.scene.render(64, 36, time=3.0)
+        self.assertTrue((directed == self.scene.render(64, 36, camera="top", time=3.0)).all())
+        self.assertFalse((directed == self.scene.render(64, 36, camera="front", time=3.0)).all())
+        with self.assertRaisesRegex(crowdbrush.Error, "week"):
+            self.scene.camera_at(float("inf"))
+
+    def test_movies_are_made(self):
+        self.scene.set_cameras([("front", crowdbrush.Camera((0, 2, 20), (0, 2, 0))),
+                                ("top", crowdbrush.Camera((0, 30, 1), (0, 0, 0)))])
+        self.scene.timeline = [Mark(id=1, seconds=0.5, kind="camera", camera="top")]
+        shares = []
+        with tempfile.TemporaryDirectory() as folder:
+            pattern = os.path.join(folder, "f_##.png")
+            written = self.scene.make_movie(pattern, [0, 1, 3], fps=4, width=32, height=18, progress=shares.append)
+            self.assertEqual([os.path.basename(path) for path in written], ["f_00.png", "f_01.png", "f_03.png"])
+            self.assertEqual(sorted(os.listdir(folder)), ["f_00.png", "f_01.png", "f_03.png"])
+            self.assertTrue(shares == sorted(shares) and shares[-1] == 1.0)
+            movie = os.path.join(folder, "a.gif")
+            self.assertEqual(self.scene.make_movie(movie, range(3), fps=2, width=32, height=18), [movie])
+            self.assertGreater(os.path.getsize(movie), 100)
+            exr = os.path.join(folder, "p.exr")
+            passes = self.scene.make_movie(exr, [2], fps=4, width=32, height=18, passes=["motion"], transparent=True)
+            self.assertEqual(passes, [os.path.join(folder, "p_0002.exr")])
+            with open(passes[0], "rb") as file:
+                self.assertIn(b"backward.u", file.read())
+            for wrong, said in (((pattern, []), "names none"), ((pattern, [1, 1]), "must rise"),
+                                ((pattern, [-1]), "must rise"), ((movie, [0, 1], {"transparent": True}), "transparent"),
+                                ((pattern, [0], {"fps": 0}), "fps"), ((movie, [0], {"passes": ["id"]}), "room"),
+                                ((pattern, [0], {"passes": ["smell"]}), "smell"),
+                                ((pattern, [10**8], {"fps": 1}), "week")):
+                with self.assertRaisesRegex(crowdbrush.Error, said):
+                    self.scene.make_movie(*wrong[:2], width=8, height=8, **(wrong[2] if len(wrong) > 2 else {}))
+
+    def test_pictures_are_transparent(self):
+        picture = self.scene.render(64, 36, camera=crowdbrush.Camera((0, 20, 60), (0, 25, 0)), transparent=True)
+        self.assertTrue((picture[0, :, 3] == 0).all() and picture[:, :, 3].max() == 255)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "a.png")
+            picture.save_png(path, transparent=True)
+            with open(path, "rb") as file:
+                self.assertEqual(file.read()[25], 6)  # colours with alpha
+
     def test_what_is_wrong_is_said(self):
         for wrong, said in (({"seconds": -1}, "seconds must lie between 0 and"),
                             ({"seconds": float("nan")}, "seconds"),
-                            ({"kind": "dance"}, "kind must be one of: marker, cue, state, event"),
+                            ({"kind": "dance"}, "kind must be one of: marker, cue, state, event, camera"),
                             ({"people": [0]}, "people")):
             with self.assertRaisesRegex(crowdbrush.Error, said):
                 Mark(id=1, **wrong)

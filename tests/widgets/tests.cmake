@@ -2,6 +2,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_ActionRegistry
     tst_BehaviourDocks
     tst_BrushStart
+    tst_CameraDirector
     tst_BrushTool
     tst_ClipTable
     tst_ColourDock

@@ -9,6 +9,7 @@
 
 #include "model/document/SceneEdit.h"
 #include "model/rules/RuleSets.h"
+#include "widgets/commands/ViewCommands.h"
 #include "widgets/state/Cues.h"
 #include "widgets/state/Scrub.h"
 
@@ -28,6 +29,20 @@ struct MarkText
 {
     Q_DECLARE_TR_FUNCTIONS(TimelineCommands)
 };
+
+/// What the camera does, so that it does something at once: it looks from then on as the view does
+/// now. A view that is no camera of the scene yet becomes one.
+std::vector<model::NamedCamera> camerasWithView(const EditorState& state, Mark& mark)
+{
+    std::vector<model::NamedCamera> cameras = state.scene().cameras;
+    const ViewCamera& view = state.viewCamera();
+    const QString name = view.name.isEmpty() ? freeCameraName(state, {}) : view.name;
+    mark.camera = name.toStdString();
+    if (std::ranges::find(cameras, mark.camera, &model::NamedCamera::name) == cameras.end()) {
+        cameras.push_back({mark.camera, view.camera});
+    }
+    return cameras;
+}
 
 bool putTimeline(EditorState& state, const QString& undoText, Timeline timeline)
 {
@@ -73,6 +88,22 @@ double lastOfInterest(EditorState& state)
     return last;
 }
 
+QString nameOfMove(const model::Scene& scene, const Mark& mark)
+{
+    const QString camera = QString::fromStdString(mark.camera);
+    if (mark.move == model::CameraMove::Around) {
+        return camera.isEmpty() ? MarkText::tr("Around")
+                                : MarkText::tr("Around, from %1").arg(camera);
+    }
+    const auto path = std::ranges::find(scene.paths, mark.path, &model::Path::id);
+    if (mark.move == model::CameraMove::Along) {
+        return path != scene.paths.end()
+                   ? MarkText::tr("Along %1").arg(QString::fromStdString(path->name))
+                   : MarkText::tr("missing path");
+    }
+    return camera;
+}
+
 QString missing(const Mark& mark)
 {
     if (mark.kind == MarkKind::Cue && mark.cue == 0) {
@@ -98,6 +129,8 @@ QString markTitle(const model::Scene& scene, const Mark& mark)
         return nameOfState(scene, mark.state);
     case MarkKind::Event:
         return QString::fromStdString(mark.event);
+    case MarkKind::Camera:
+        return nameOfMove(scene, mark);
     case MarkKind::Marker:
         break;
     }
@@ -122,8 +155,37 @@ MarkId addMark(EditorState& state, MarkKind kind, double seconds)
         return 0;
     }
     const MarkId id = mark.id;
+    std::vector<model::NamedCamera> cameras;
+    if (kind == MarkKind::Camera) {
+        cameras = camerasWithView(state, mark);
+    }
+    const QString camera = QString::fromStdString(mark.camera);
     timeline.push_back(std::move(mark));
-    return putTimeline(state, MarkText::tr("Add a mark"), std::move(timeline)) ? id : 0;
+    const auto outcome =
+        state.document().edit(MarkText::tr("Add a mark"), [&](model::SceneEdit& edit) {
+            if (cameras.size() > state.scene().cameras.size()) {
+                edit.setCameras(std::move(cameras));
+            }
+            edit.set<model::members::Timeline>(std::move(timeline));
+        });
+    if (outcome == model::EditOutcome::Refused) {
+        return 0;
+    }
+    if (kind == MarkKind::Camera) {
+        state.setCamera(state.camera(), camera);
+    }
+    return id;
+}
+
+void addCameraNow(EditorState& state)
+{
+    const double now = state.transport().seconds();
+    const MarkId id = addMark(state, MarkKind::Camera, now);
+    if (const Mark* mark = model::findMark(state.scene().timeline, id)) {
+        state.showStatus(MarkText::tr("From %1 s on the camera looks as now: “%2”")
+                             .arg(now, 0, 'f', 2)
+                             .arg(QString::fromStdString(mark->camera)));
+    }
 }
 
 void addMarkerNow(EditorState& state)

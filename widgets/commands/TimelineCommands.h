@@ -17,11 +17,14 @@ using MarkIds = std::set<model::MarkId>;
 /// What a mark without a name is called after: its cue, its state or its event.
 [[nodiscard]] QString markTitle(const model::Scene& scene, const model::Mark& mark);
 
-/// A mark of that kind at a time, for the first cue or state that there is. Its id; 0: there is no
-/// room, or nothing can be edited now, and the status line says why.
+/// A mark of that kind at a time, for the first cue or state that there is, or the view as it is,
+/// which becomes a camera of the scene where it is none. Its id; 0: there is no room, or nothing
+/// can be edited now, and the status line says why.
 model::MarkId addMark(EditorState& state, model::MarkKind kind, double seconds);
 /// A marker at the moment that is shown.
 void addMarkerNow(EditorState& state);
+/// From the moment that is shown on the camera looks as the view does.
+void addCameraNow(EditorState& state);
 void removeMarks(EditorState& state, const MarkIds& marks);
 /// Later by so many seconds, none before 0.
 void shiftMarks(EditorState& state, const MarkIds& marks, double seconds);

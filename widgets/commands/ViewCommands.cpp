@@ -43,6 +43,20 @@ void commitCameras(EditorState& state, std::vector<NamedCamera> cameras, const Q
                           [&](model::SceneEdit& edit) { edit.setCameras(std::move(cameras)); });
 }
 
+/// While the timeline is recorded the artist directs it.
+void recordCamera(EditorState& state, const NamedCamera& camera)
+{
+    MarkRecorder& recorder = state.session().recorder();
+    model::Mark mark;
+    mark.id = state.transport().isPlaying() ? recorder.nextId() : 0;
+    if (mark.id != 0) {
+        mark.kind = model::MarkKind::Camera;
+        mark.seconds = state.transport().seconds();
+        mark.camera = camera.name;
+        recorder.add({std::move(mark)});
+    }
+}
+
 /// Someone's body, whatever the template: what framing one person should show.
 Bounds bodyAt(const model::Scene& scene, std::size_t row)
 {
@@ -188,6 +202,7 @@ void goToCamera(EditorState& state, const QString& name)
         return;
     }
     showLookOf(state, *found);
+    recordCamera(state, *found);
     state.moveCameraTo(found->camera, name);
 }
 
@@ -205,14 +220,20 @@ void setCameraLook(EditorState& state, const QString& name, model::LookId look)
     }
 }
 
+QString freeCameraName(const EditorState& state, const QString& wanted)
+{
+    QString unique = wanted.trimmed();
+    for (int number = 1; unique.isEmpty() || hasCamera(state, unique); ++number) {
+        unique = wanted.trimmed().isEmpty()
+                     ? ViewCommandsText::tr("View %1").arg(number)
+                     : ViewCommandsText::tr("%1 (%2)").arg(wanted.trimmed()).arg(number + 1);
+    }
+    return unique;
+}
+
 QString addCamera(EditorState& state, const QString& name)
 {
-    QString unique = name.trimmed();
-    for (int number = 1; unique.isEmpty() || hasCamera(state, unique); ++number) {
-        unique = name.trimmed().isEmpty()
-                     ? ViewCommandsText::tr("View %1").arg(number)
-                     : ViewCommandsText::tr("%1 (%2)").arg(name.trimmed()).arg(number + 1);
-    }
+    const QString unique = freeCameraName(state, name);
     std::vector<NamedCamera> cameras = state.scene().cameras;
     cameras.push_back({unique.toStdString(), state.camera()});
     commitCameras(state, std::move(cameras), ViewCommandsText::tr("Add camera “%1”").arg(unique));
@@ -251,7 +272,17 @@ bool renameCamera(EditorState& state, const QString& from, const QString& to)
     std::vector<NamedCamera> cameras = state.scene().cameras;
     cameras[static_cast<std::size_t>(found - state.scene().cameras.begin())].name =
         wanted.toStdString();
-    commitCameras(state, std::move(cameras), ViewCommandsText::tr("Rename camera “%1”").arg(from));
+    model::Timeline timeline = state.scene().timeline;
+    for (model::Mark& mark : timeline) {
+        if (!mark.camera.empty() && mark.camera == from.toStdString()) {
+            mark.camera = wanted.toStdString();
+        }
+    }
+    state.document().edit(ViewCommandsText::tr("Rename camera “%1”").arg(from),
+                          [&](model::SceneEdit& edit) {
+                              edit.setCameras(std::move(cameras));
+                              edit.set<model::members::Timeline>(std::move(timeline));
+                          });
     return true;
 }
 

@@ -23,8 +23,11 @@ void frameAll(EditorState& state);
 void lookFrom(EditorState& state, ViewDirection direction);
 void toggleProjection(EditorState& state);
 
-/// Smoothly goes to a bookmark of the scene; says so when there is none of that name.
+/// Smoothly goes to a bookmark of the scene; says so when there is none of that name. A mark of the
+/// timeline where that is recorded.
 void goToCamera(EditorState& state, const QString& name);
+/// That no camera of the scene has yet: the wanted one, or one like it.
+[[nodiscard]] QString freeCameraName(const EditorState& state, const QString& wanted);
 /// Keeps the view under a name that is not taken yet ("View 3" if empty) and returns it.
 QString addCamera(EditorState& state, const QString& name = {});
 /// What the view looks like from there; 0: as it does elsewhere.

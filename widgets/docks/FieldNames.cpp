@@ -52,6 +52,18 @@ void addRelationName(FieldForm& form, const Bound& bound)
     addName(form, bound, texts, names);
 }
 
+/// None comes first.
+void addCamera(FieldForm& form, const Bound& bound)
+{
+    QStringList texts{fieldText(bound.field->meta.zero)};
+    std::vector<std::string> names{std::string()};
+    for (const model::NamedCamera& camera : sceneBehind(form).cameras) {
+        names.push_back(camera.name);
+        texts << QString::fromStdString(camera.name);
+    }
+    addName(form, bound, texts, names);
+}
+
 /// Which kind of feature the same brush is set to.
 std::string chosenKind(const FieldForm& form, const Bound& bound)
 {
@@ -207,6 +219,8 @@ bool addNamedControl(FieldForm& form, const Bound& bound)
         addFeatures(form, bound);
     } else if (field.meta.role == model::FieldRole::RelationKind) {
         addRelationName(form, bound);
+    } else if (field.meta.role == model::FieldRole::Camera) {
+        addCamera(form, bound);
     } else if (field.meta.role == model::FieldRole::FeatureKind) {
         addFeatureKind(form, bound);
     } else if (form.context().brush == nullptr && field.is<std::string>() &&

@@ -202,6 +202,16 @@ void addEntryChoice(FieldForm& form, const Bound& bound, const std::vector<Entry
         bound.isShown);
 }
 
+/// Where no path has a meaning of its own, following one does not.
+void addAnyPath(FieldForm& form, const Bound& bound)
+{
+    if (*bound.field->meta.zero != 0) {
+        addEntryChoice(form, bound, sceneOf(form).paths);
+    } else {
+        addPath(form, bound);
+    }
+}
+
 /// What a list of ids may hold, by its role.
 std::vector<CheckList::Item> listedItems(const model::Scene& scene, model::FieldRole role)
 {
@@ -471,7 +481,7 @@ bool addReferenceControl(FieldForm& form, const Bound& bound)
         addPart(form, bound);
         return true;
     case model::FieldRole::Path:
-        addPath(form, bound);
+        addAnyPath(form, bound);
         return true;
     case model::FieldRole::Tag:
         addTag(form, bound);

@@ -49,21 +49,21 @@ TimelineDock::TimelineDock(EditorState& state, QWidget* parent)
     layout->addWidget(makeSide());
     setWidget(content);
     connect(m_view, &TimelineView::chosenChanged, this, &TimelineDock::followChosen);
-    connect(
-        &state.document(), &model::SceneDocument::changed, this,
-        [this](const model::SceneChange& change) {
-            if (isOneOf<model::RulesChanged, model::StatesChanged, model::SceneReplaced>(change)) {
-                makeForm();
-                followChosen();
-            } else if (isOneOf<model::TimelineChanged, model::IndividualsAdded,
-                               model::IndividualsRemoved>(change)) {
-                followChosen();
-            }
-            followLoop();
-            if (isOneOf<model::SceneReplaced>(change)) {
-                m_view->showAll();
-            }
-        });
+    connect(&state.document(), &model::SceneDocument::changed, this,
+            [this](const model::SceneChange& change) {
+                if (isOneOf<model::RulesChanged, model::StatesChanged, model::CamerasChanged,
+                            model::PathsChanged, model::SceneReplaced>(change)) {
+                    makeForm();
+                    followChosen();
+                } else if (isOneOf<model::TimelineChanged, model::IndividualsAdded,
+                                   model::IndividualsRemoved>(change)) {
+                    followChosen();
+                }
+                followLoop();
+                if (isOneOf<model::SceneReplaced>(change)) {
+                    m_view->showAll();
+                }
+            });
     followChosen();
 }
 
@@ -92,10 +92,29 @@ QWidget* TimelineDock::makeButtons()
             this, [this] { showNextMark(m_state, true); });
     connect(add("mark", tr("A marker at this moment"), "markAdd"), &QToolButton::clicked, this,
             [this] { addMarkerNow(m_state); });
+    connect(add("camera-mark", tr("From this moment on the camera looks as the view does now"),
+                "cameraMark"),
+            &QToolButton::clicked, this, [this] { addCameraNow(m_state); });
     m_remove = add("delete", tr("Remove the chosen marks"), "markRemove");
     connect(m_remove, &QToolButton::clicked, this,
             [this] { removeMarks(m_state, MarkIds(m_view->chosen())); });
     layout->addSpacing(kGroupGap);
+    addRangeButtons(add);
+    layout->addSpacing(kGroupGap);
+    addFollow(*add("camera-follow",
+                   tr("The view looks through the timeline's camera, where there is one"),
+                   "cameraFollow"));
+    layout->addStretch(1);
+    connect(add("frame-all", tr("Show all marks, and all that has been played"), "timelineAll"),
+            &QToolButton::clicked, m_view, &TimelineView::showAll);
+    makeUnits();
+    layout->addWidget(m_units);
+    return row;
+}
+
+/// Which part of time is played.
+void TimelineDock::addRangeButtons(const AddButton& add)
+{
     connect(add("range-begin", tr("What is played begins at this moment"), "rangeBegin"),
             &QToolButton::clicked, this,
             [this] { beginPlayRange(m_state, m_state.transport().seconds()); });
@@ -109,12 +128,15 @@ QWidget* TimelineDock::makeButtons()
         followLoop(); // also where it was refused
     });
     followLoop();
-    layout->addStretch(1);
-    connect(add("frame-all", tr("Show all marks, and all that has been played"), "timelineAll"),
-            &QToolButton::clicked, m_view, &TimelineView::showAll);
-    makeUnits();
-    layout->addWidget(m_units);
-    return row;
+}
+
+void TimelineDock::addFollow(QToolButton& button)
+{
+    CameraDirector& director = m_state.director();
+    button.setCheckable(true);
+    button.setChecked(director.isOn());
+    connect(&button, &QToolButton::clicked, &director, &CameraDirector::setOn);
+    connect(&director, &CameraDirector::changed, &button, &QToolButton::setChecked);
 }
 
 void TimelineDock::makeUnits()

@@ -31,6 +31,10 @@ public:
 private:
     [[nodiscard]] QWidget* makeButtons();
     [[nodiscard]] QWidget* makeSide();
+    using AddButton =
+        std::function<QToolButton*(const char* icon, const QString& tip, const char* name)>;
+    void addRangeButtons(const AddButton& add);
+    void addFollow(QToolButton& button);
     void makeUnits();
     void makeForm();
     void followChosen();

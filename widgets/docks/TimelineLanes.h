@@ -32,7 +32,9 @@ inline constexpr std::array kTimelineLanes{
     TimelineLane{model::MarkKind::State, QT_TRANSLATE_NOOP("Timeline", "States"),
                  QT_TRANSLATE_NOOP("Timeline", "Recall a State Here"), 0xFF4C86C6},
     TimelineLane{model::MarkKind::Event, QT_TRANSLATE_NOOP("Timeline", "Events"),
-                 QT_TRANSLATE_NOOP("Timeline", "Send an Event Here"), 0xFF5AA469}};
+                 QT_TRANSLATE_NOOP("Timeline", "Send an Event Here"), 0xFF5AA469},
+    TimelineLane{model::MarkKind::Camera, QT_TRANSLATE_NOOP("Timeline", "Camera"),
+                 QT_TRANSLATE_NOOP("Timeline", "Look from Here On as Now"), 0xFF9C6ADE}};
 
 struct TimelineText
 {

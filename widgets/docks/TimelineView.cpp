@@ -42,15 +42,14 @@ TimelineView::TimelineView(EditorState& state, QWidget* parent)
     setFocusPolicy(Qt::ClickFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    connect(
-        &state.document(), &model::SceneDocument::changed, this,
-        [this](const model::SceneChange& change) {
-            if (isOneOf<model::TimelineChanged, model::RulesChanged, model::StatesChanged,
-                        model::IndividualsAdded, model::IndividualsRemoved, model::SceneReplaced>(
-                    change)) {
-                followScene();
-            }
-        });
+    connect(&state.document(), &model::SceneDocument::changed, this,
+            [this](const model::SceneChange& change) {
+                if (isOneOf<model::TimelineChanged, model::RulesChanged, model::StatesChanged,
+                            model::CamerasChanged, model::PathsChanged, model::IndividualsAdded,
+                            model::IndividualsRemoved, model::SceneReplaced>(change)) {
+                    followScene();
+                }
+            });
     connect(&state.transport(), &Transport::timeChanged, this, &TimelineView::followTime);
     connect(&state.session(), &SessionControl::stateChanged, this, [this] { update(); });
     connect(&state.session(), &SessionControl::takenFrom, this, [this] { update(); });

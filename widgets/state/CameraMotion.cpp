@@ -3,26 +3,11 @@
 
 #include <algorithm>
 
-#include <glm/common.hpp>
+#include "model/view/CameraWays.h"
 
 namespace crowd::widgets {
 
 using model::Camera;
-
-Camera blended(const Camera& from, const Camera& to, float t)
-{
-    if (t >= 1.0F) {
-        return to;
-    }
-    Camera camera = to;
-    camera.orientation = glm::normalize(glm::slerp(from.orientation, to.orientation, t));
-    camera.pivotDistance = glm::mix(from.pivotDistance, to.pivotDistance, t);
-    camera.fovYRadians = glm::mix(from.fovYRadians, to.fovYRadians, t);
-    camera.orthographicHeight = glm::mix(from.orthographicHeight, to.orthographicHeight, t);
-    const glm::vec3 pivot = glm::mix(from.pivot(), to.pivot(), t);
-    camera.position = pivot - camera.forward() * camera.pivotDistance;
-    return camera;
-}
 
 void CameraMotion::start(const Camera& from, const Camera& to, double seconds)
 {

@@ -33,7 +33,4 @@ private:
     std::optional<Way> m_way;
 };
 
-/// Between two cameras, t 0..1. Exactly `to` at 1.
-[[nodiscard]] model::Camera blended(const model::Camera& from, const model::Camera& to, float t);
-
 } // namespace crowd::widgets

@@ -97,7 +97,7 @@ void keepValues(const std::vector<model::ScriptValue>& known,
 
 EditorState::EditorState(model::SceneDocument& document, QObject* parent)
     : QObject(parent), m_document(document), m_selection(document), m_paths(document),
-      m_strokes(document), m_session(document, m_transport), m_ground(document)
+      m_strokes(document), m_session(document, m_transport), m_ground(document), m_director(*this)
 {
     for (std::size_t kind = 0; kind < m_brushes.size(); ++kind) {
         m_brushes[kind] = model::initialBrush(static_cast<BrushKind>(kind));
@@ -108,6 +108,7 @@ EditorState::EditorState(model::SceneDocument& document, QObject* parent)
             Qt::QueuedConnection);
     });
     connect(&document, &model::SceneDocument::changed, this, &EditorState::followScene);
+    m_director.begin();
 }
 
 EditorState::~EditorState()
@@ -387,7 +388,8 @@ void EditorState::advance(double realSeconds)
 
 bool EditorState::isAnimating() const
 {
-    return m_motion.isMoving() || (m_transport.isPlaying() && !scene().population.isEmpty());
+    const bool isAnythingMoving = !scene().population.isEmpty() || m_director.track().hasMoves();
+    return m_motion.isMoving() || (m_transport.isPlaying() && isAnythingMoving);
 }
 
 void EditorState::followScene(const model::SceneChange& change)
@@ -412,6 +414,7 @@ void EditorState::followScene(const model::SceneChange& change)
 /// Another one is open now.
 void EditorState::beginScene()
 {
+    m_director.forget();
     chooseLight(0);
     showLook(*this, 0);
     forgetMasks(*this);
@@ -433,6 +436,7 @@ void EditorState::beginScene()
         setCamera(cameras.front().camera, QString::fromStdString(cameras.front().name));
         showLookOf(*this, cameras.front());
     }
+    m_director.takeScene();
 }
 
 void EditorState::refreshSeatGrid(bool isNewScene)

@@ -18,6 +18,7 @@
 #include "model/states/ChangeOver.h"
 #include "model/view/View.h"
 #include "render/RenderInput.h"
+#include "widgets/state/CameraDirector.h"
 #include "widgets/state/CameraMotion.h"
 #include "widgets/state/GroundFinder.h"
 #include "widgets/state/PathFocus.h"
@@ -123,6 +124,7 @@ public:
     [[nodiscard]] GroundFinder& ground() { return m_ground; }
     [[nodiscard]] SessionControl& session() { return m_session; }
     [[nodiscard]] const SessionControl& session() const { return m_session; }
+    [[nodiscard]] CameraDirector& director() { return m_director; }
     /// What is shown now: the scene at the transport's time, people where a session has them.
     [[nodiscard]] model::CrowdFramePtr frame() const;
 
@@ -285,6 +287,7 @@ private:
     ViewCamera m_view;
     QString m_motionName;
     CameraMotion m_motion;
+    CameraDirector m_director;
     glm::vec2 m_viewSize{1280.0F, 720.0F};
     ViewOptions m_options;
     LongWork m_longWork;

@@ -44,7 +44,7 @@ std::optional<double> firstDifference(const model::Timeline& before, const model
 {
     std::optional<double> first;
     const auto note = [&first, since](const model::Mark& mark) {
-        if (mark.kind != model::MarkKind::Marker && mark.seconds >= since) {
+        if (model::isForPeople(mark.kind) && mark.seconds >= since) {
             first = std::min(first.value_or(mark.seconds), mark.seconds);
         }
     };

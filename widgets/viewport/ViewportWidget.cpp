@@ -120,6 +120,7 @@ void ViewportWidget::connectScene()
     connect(&m_state, &EditorState::washedChanged, this, &ViewportWidget::redraw);
     connect(&m_state, &EditorState::lightChosen, this, &ViewportWidget::redraw);
     connect(&m_state, &EditorState::markedPointChanged, this, &ViewportWidget::redraw);
+    connect(&m_state.director(), &CameraDirector::changed, this, &ViewportWidget::redraw);
     connect(&m_state.transport(), &Transport::stateChanged, this, &ViewportWidget::redraw);
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
@@ -224,8 +225,10 @@ void ViewportWidget::makeLines(const model::CrowdFrame& frame)
 {
     m_arcs.make(m_state, frame);
     m_lightMarks.make(m_state, frame);
+    m_cameraMarks.make(m_state);
     m_lines.assign(m_arcs.lines().begin(), m_arcs.lines().end());
     m_lines.insert(m_lines.end(), m_lightMarks.lines().begin(), m_lightMarks.lines().end());
+    m_lines.insert(m_lines.end(), m_cameraMarks.lines().begin(), m_cameraMarks.lines().end());
     if (m_state.markedPoint()) {
         addPointMark(m_lines, *m_state.markedPoint(), m_state.camera());
     }

@@ -11,6 +11,7 @@
 #include "widgets/state/EditorState.h"
 #include "widgets/tools/ToolController.h"
 #include "widgets/viewport/BrushCursor.h"
+#include "widgets/viewport/CameraMarks.h"
 #include "widgets/viewport/FrameClock.h"
 #include "widgets/viewport/FrameStatistics.h"
 #include "widgets/viewport/LightMarks.h"
@@ -136,6 +137,7 @@ private:
     PeopleMarks m_marks;
     RelationArcs m_arcs;
     LightMarks m_lightMarks;
+    CameraMarks m_cameraMarks;
     std::vector<render::OverlayLine> m_lines; ///< of both
     BrushCursor m_brushCursor;
     QTimer m_handRests;            ///< runs from a movement of the brush until it counts as still
