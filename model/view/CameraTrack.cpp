@@ -23,7 +23,7 @@ std::optional<CameraRail> railOf(const Scene& scene, const Mark& mark)
             points.push_back(place->position + glm::vec3(0.0F, mark.above, 0.0F));
         }
     }
-    CameraRail rail(std::move(points), path->kind == PathKind::Cyclic);
+    CameraRail rail(points, path->kind == PathKind::Cyclic);
     return rail.isEmpty() ? std::nullopt : std::optional(std::move(rail));
 }
 

@@ -53,7 +53,7 @@ Camera goneAround(const Camera& camera, float radians)
     return turned;
 }
 
-CameraRail::CameraRail(std::vector<glm::vec3> points, bool isClosed) : m_isClosed(isClosed)
+CameraRail::CameraRail(const std::vector<glm::vec3>& points, bool isClosed) : m_isClosed(isClosed)
 {
     for (const glm::vec3& each : points) {
         if (m_points.empty() || glm::distance(m_points.back(), each) > kSamePlace) {

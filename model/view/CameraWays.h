@@ -25,7 +25,7 @@ class CameraRail
 {
 public:
     /// Points that follow each other in the same place count once.
-    CameraRail(std::vector<glm::vec3> points, bool isClosed);
+    CameraRail(const std::vector<glm::vec3>& points, bool isClosed);
 
     /// There are not two points apart: it leads nowhere.
     [[nodiscard]] bool isEmpty() const { return m_points.size() < 2; }

@@ -111,8 +111,9 @@ void moveSky(const RenderInput& input, AovPicture& picture)
     for (std::size_t i = 0; i < picture.rows.size(); ++i) {
         if (picture.rows[i] == AovPicture::kNothing) {
             const auto width = static_cast<std::size_t>(picture.size.x);
+            const std::size_t line = i / width;
             const glm::vec2 pixel(static_cast<float>(i % width) + 0.5F,
-                                  static_cast<float>(i / width) + 0.5F);
+                                  static_cast<float>(line) + 0.5F);
             const glm::vec3 there =
                 before.camera().position + now.rayThrough(pixel).direction * kFar;
             const std::optional<glm::vec3> seen = before.project(there);

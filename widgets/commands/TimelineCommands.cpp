@@ -90,7 +90,7 @@ double lastOfInterest(EditorState& state)
 
 QString nameOfMove(const model::Scene& scene, const Mark& mark)
 {
-    const QString camera = QString::fromStdString(mark.camera);
+    QString camera = QString::fromStdString(mark.camera);
     if (mark.move == model::CameraMove::Around) {
         return camera.isEmpty() ? MarkText::tr("Around")
                                 : MarkText::tr("Around, from %1").arg(camera);

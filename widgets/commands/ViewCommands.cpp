@@ -233,7 +233,7 @@ QString freeCameraName(const EditorState& state, const QString& wanted)
 
 QString addCamera(EditorState& state, const QString& name)
 {
-    const QString unique = freeCameraName(state, name);
+    QString unique = freeCameraName(state, name);
     std::vector<NamedCamera> cameras = state.scene().cameras;
     cameras.push_back({unique.toStdString(), state.camera()});
     commitCameras(state, std::move(cameras), ViewCommandsText::tr("Add camera “%1”").arg(unique));
