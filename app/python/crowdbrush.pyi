@@ -1383,7 +1383,7 @@ class Scene:
     def camera_at(self, time: float) -> Camera:
         """The camera as the timeline's marks have moved it by then: seconds of the clock.
         Without such marks it is the scene's first."""
-    def render_passes(self, width: int, height: int, passes: List[str], *, camera: Union[None, str, Camera] = ..., time: float = ..., look: str = ..., by: str = ..., path: Optional[FilePath] = ..., transparent: bool = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> Dict[Any, Any]:
+    def render_passes(self, width: int, height: int, passes: Sequence[str], *, camera: Union[None, str, Camera] = ..., time: float = ..., look: str = ..., by: str = ..., path: Optional[FilePath] = ..., transparent: bool = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> Dict[Any, Any]:
         """What the picture shows, in numbers for compositing: by the name of each of the passes
         an array, height × width, × the components where there are several, float32 or uint32,
         rows from the top. path: an .exr file that they are written to as well, a layer each.
@@ -1400,7 +1400,7 @@ class Scene:
         transparent and allow_missing are as of render. progress: is called with the share
         that is done, 0 to 1, some times a second; what it raises, as Ctrl+C, ends the call,
         which takes back what it did."""
-    def make_movie(self, path: FilePath, frames: List[int], *, fps: float = ..., width: int = ..., height: int = ..., camera: Union[None, str, Camera] = ..., look: str = ..., by: str = ..., passes: List[str] = ..., transparent: bool = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> List[Any]:
+    def make_movie(self, path: FilePath, frames: Sequence[int], *, fps: float = ..., width: int = ..., height: int = ..., camera: Union[None, str, Camera] = ..., look: str = ..., by: str = ..., passes: Sequence[str] = ..., transparent: bool = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> List[Any]:
         """Draws frames of the scene, such as range(300), each at its number / fps seconds: into
         one movie where path ends as one (.mp4, .webm, .gif; made by ffmpeg), else each into a
         picture of its own, with its number for the #### of path. Without a camera, the
