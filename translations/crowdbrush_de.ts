@@ -5769,6 +5769,10 @@
         <source>%1: a movie cannot be transparent. Choose numbered pictures, or switch the transparency off.</source>
         <translation>%1: Ein Film kann nicht durchsichtig sein. Wählen Sie nummerierte Bilder, oder schalten Sie die Durchsichtigkeit aus.</translation>
     </message>
+    <message>
+        <source>At %1 seconds the timeline moves the camera twice: only the later mark is seen. Move one of them, or remove it.</source>
+        <translation>Bei %1 Sekunden bewegt die Zeitleiste die Kamera zweimal: Nur die spätere Zeitmarke ist zu sehen. Verschieben Sie eine davon, oder entfernen Sie sie.</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>

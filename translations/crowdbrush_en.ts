@@ -5769,6 +5769,10 @@
         <source>%1: a movie cannot be transparent. Choose numbered pictures, or switch the transparency off.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>At %1 seconds the timeline moves the camera twice: only the later mark is seen. Move one of them, or remove it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>

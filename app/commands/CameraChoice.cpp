@@ -5,6 +5,9 @@
 #include <utility>
 
 #include <QtCore/QFile>
+#include <QtCore/QJsonArray>
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
 
 #include "model/project/EnvironmentText.h"
 
@@ -13,6 +16,9 @@ namespace crowd::app {
 namespace {
 
 constexpr qint64 kLargestMove = qint64{64} << 20U; ///< bytes
+constexpr const char* kWanted =
+    "It needs marks such as {\"timeline\": [{\"seconds\": 2, \"kind\": \"camera\", "
+    "\"camera\": \"Stage\", \"travel\": 3}]}.";
 constexpr const char* kTurntable = "turntable";
 
 model::Result<model::DirectedCamera> cameraNamed(const model::Scene& scene, const std::string& name)
@@ -30,6 +36,31 @@ model::Result<model::DirectedCamera> cameraNamed(const model::Scene& scene, cons
                                        : "The scene has: " + names + ".")};
 }
 
+/// An environment of what is in a file: {"timeline": [...]}, or the list alone; marks without a
+/// number get one. Empty: it is something else.
+std::string timelineIn(const QByteArray& content)
+{
+    const QString kTimeline = QStringLiteral("timeline");
+    const QString kId = QStringLiteral("id");
+    const QJsonDocument document = QJsonDocument::fromJson(content);
+    QJsonObject top = document.object();
+    if (document.isArray()) {
+        top[kTimeline] = document.array();
+    }
+    if (!top[kTimeline].isArray()) {
+        return {};
+    }
+    QJsonArray marks = top[kTimeline].toArray();
+    for (qsizetype i = 0; i < marks.size(); ++i) {
+        QJsonObject mark = marks[i].toObject();
+        if (!mark.isEmpty() && !mark.contains(kId)) {
+            mark[kId] = i + 1;
+            marks[i] = mark;
+        }
+    }
+    return QJsonDocument(QJsonObject{{kTimeline, marks}}).toJson().toStdString();
+}
+
 /// The marks of a file in the place of the scene's.
 model::Result<model::CameraTrack> trackOfFile(const std::string& path, model::Scene scene)
 {
@@ -43,14 +74,16 @@ model::Result<model::CameraTrack> trackOfFile(const std::string& path, model::Sc
         return model::Error{"--camera-move " + path + " is too large for marks of a timeline."};
     }
     scene.timeline.clear();
-    if (const auto read = model::readEnvironmentText(file.readAll().toStdString(), scene); !read) {
+    const std::string timeline = timelineIn(file.readAll());
+    if (timeline.empty()) {
+        return model::Error{"--camera-move " + path + " is no timeline. " + kWanted};
+    }
+    if (const auto read = model::readEnvironmentText(timeline, scene); !read) {
         return model::Error{"--camera-move " + path + ": " + read.error().message};
     }
     model::CameraTrack track(scene);
     if (!track.hasMoves()) {
-        return model::Error{"--camera-move " + path +
-                            " moves no camera: it needs {\"timeline\": [...]} with marks of the "
-                            "kind \"camera\"."};
+        return model::Error{"--camera-move " + path + " moves no camera. " + kWanted};
     }
     return track;
 }

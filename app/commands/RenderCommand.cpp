@@ -20,6 +20,7 @@
 #include "app/pictures/PictureMaker.h"
 #include "behavior/session/SceneMotion.h"
 #include "model/project/LocateAssets.h"
+#include "model/rules/MarkFlaws.h"
 
 namespace crowd::app {
 
@@ -138,6 +139,18 @@ private:
     std::unique_ptr<PictureMaker> m_maker;
 };
 
+/// Says why the timeline's camera does not do what marks say.
+void sayFlaws(const model::Scene& scene)
+{
+    const auto flaws = model::flawsOfMarks(scene);
+    for (const model::Mark& mark : model::inOrder(scene.timeline)) {
+        const auto flaw = flaws.find(mark.id);
+        if (mark.kind == model::MarkKind::Camera && flaw != flaws.end()) {
+            std::fprintf(stderr, "%s\n", flaw->second.english().c_str());
+        }
+    }
+}
+
 int fail(const model::Error& error, int code = kFailed)
 {
     std::fprintf(stderr, "crowdbrush render: %s\n", error.message.c_str());
@@ -235,6 +248,9 @@ int runRender(const RenderOptions& options)
         scene.value());
     if (!track) {
         return fail(track.error());
+    }
+    if (options.camera.empty() && options.cameraMove.empty()) {
+        sayFlaws(scene.value());
     }
     if (auto complete = checkMissing(scene.value(), options.allowsMissing); !complete) {
         return fail(complete.error());

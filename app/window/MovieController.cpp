@@ -54,10 +54,7 @@ struct MovieJob
         return fileForFrame(numberedPattern(path), number);
     }
 
-    [[nodiscard]] int pictures() const
-    {
-        return 1 + static_cast<int>(std::floor((span.to - span.from) * framesPerSecond + 1e-6));
-    }
+    [[nodiscard]] int pictures() const { return span.pictures(framesPerSecond); }
     [[nodiscard]] double secondsOf(int number) const
     {
         return span.from + number / framesPerSecond;
@@ -307,7 +304,9 @@ void MovieController::make(glm::ivec2 view)
         offer.run = TimeSpan{session.firstSeconds(), session.liveSeconds()};
     }
     offer.hasMoves = m_state.director().track().hasMoves();
-    offer.isFollowed = m_state.director().isOn();
+    for (const model::Mark& mark : m_state.scene().timeline) {
+        offer.lastMark = std::max(offer.lastMark, mark.seconds + mark.length());
+    }
     if (const model::PlayRange& range = m_state.scene().playRange; range.isSet()) {
         offer.range = TimeSpan{range.begin, range.end};
     }

@@ -42,6 +42,11 @@ QDoubleSpinBox* secondsField(const char* name, QWidget* parent)
 
 } // namespace
 
+int TimeSpan::pictures(double framesPerSecond) const
+{
+    return std::max(1, static_cast<int>(std::floor((to - from) * framesPerSecond + 1e-6)));
+}
+
 MovieDialog::MovieDialog(const Offer& offer, QWidget* parent)
     : QDialog(parent), m_offer(offer), m_sources(new QComboBox(this)),
       m_from(secondsField("movieFrom", this)), m_to(secondsField("movieTo", this)),
@@ -111,7 +116,6 @@ void MovieDialog::addCameras()
     for (const QString& camera : m_offer.cameras) {
         add(camera, Kind::Scene);
     }
-    m_cameras->setCurrentIndex(m_offer.hasMoves && !m_offer.isFollowed ? 1 : 0); // as it is seen
 }
 
 void MovieDialog::addRate(QFormLayout& form)
@@ -136,7 +140,8 @@ void MovieDialog::chooseSource()
     const double seconds = QSettings().value(kMovieSeconds, kUsualSeconds).toDouble();
     const double least = isOfRun() ? m_offer.run->from : 0.0;
     const double most = isOfRun() ? m_offer.run->to : kMostSeconds;
-    TimeSpan offered = isOfRun() ? *m_offer.run : TimeSpan{0.0, seconds};
+    TimeSpan offered =
+        isOfRun() ? *m_offer.run : TimeSpan{0.0, std::max(seconds, m_offer.lastMark)};
     if (m_offer.range && m_offer.range->from < most && m_offer.range->to > least) {
         offered = {std::max(least, m_offer.range->from), std::min(most, m_offer.range->to)};
     }
@@ -151,9 +156,7 @@ void MovieDialog::chooseSource()
 void MovieDialog::countPictures()
 {
     const TimeSpan span = this->span();
-    const auto pictures =
-        static_cast<int>(std::floor((span.to - span.from) * framesPerSecond() + 1e-6)) + 1;
-    m_count->setText(tr("%n picture(s)", nullptr, std::max(pictures, 1)));
+    m_count->setText(tr("%n picture(s)", nullptr, span.pictures(framesPerSecond())));
 }
 
 bool MovieDialog::isOfRun() const

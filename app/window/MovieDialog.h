@@ -27,6 +27,9 @@ struct TimeSpan
 {
     double from = 0.0;
     double to = 0.0;
+
+    /// At a rate a second: the last one ends by then. At least one.
+    [[nodiscard]] int pictures(double framesPerSecond) const;
 };
 
 /// What a movie is taken with.
@@ -57,7 +60,7 @@ public:
         std::optional<TimeSpan> run{};   ///< what has been played; none: nothing
         std::optional<TimeSpan> range{}; ///< what of all time is played; none: all
         bool hasMoves = false;           ///< the timeline moves a camera
-        bool isFollowed = false;         ///< and the view goes along
+        double lastMark = 0.0;           ///< seconds: after it nothing happens; 0: there is none
     };
     MovieDialog(const Offer& offer, QWidget* parent);
 

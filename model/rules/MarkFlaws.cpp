@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include <QtCore/QString>
 
@@ -102,6 +103,31 @@ Message flawOf(const Scene& scene, const Mark& mark)
         return flawOfState(scene, mark, mark.state);
     }
     return mark.kind == MarkKind::Cue ? flawOfCue(scene, mark) : Message();
+}
+
+std::map<MarkId, Message> flawsOfMarks(const Scene& scene)
+{
+    std::map<MarkId, Message> flaws;
+    const Mark* camera = nullptr; // that came last
+    const Timeline ordered = inOrder(scene.timeline);
+    for (const Mark& mark : ordered) {
+        if (Message flaw = flawOf(scene, mark); !flaw.empty()) {
+            flaws.emplace(mark.id, std::move(flaw));
+        }
+        if (mark.kind != MarkKind::Camera) {
+            continue;
+        }
+        if (camera != nullptr && camera->seconds == mark.seconds) {
+            flaws.try_emplace(
+                camera->id,
+                Message{QT_TRANSLATE_NOOP("Messages", "At %1 seconds the timeline moves the camera "
+                                                      "twice: only the later mark is seen. Move "
+                                                      "one of them, or remove it."),
+                        shownTime(mark)});
+        }
+        camera = &mark;
+    }
+    return flaws;
 }
 
 } // namespace crowd::model

@@ -96,14 +96,14 @@ void TestMakeMovie::ofTheSceneFromItsBeginning()
         auto* rates = dialog.findChild<QComboBox*>(QStringLiteral("movieRates"));
         rates->setCurrentIndex(rates->findData(25.0));
         auto* count = dialog.findChild<QLabel*>(QStringLiteral("movieCount"));
-        QVERIFY2(count->text().startsWith(QStringLiteral("16 ")), qPrintable(count->text()));
+        QVERIFY2(count->text().startsWith(QStringLiteral("15 ")), qPrintable(count->text()));
         auto* cameras = dialog.findChild<QComboBox*>(QStringLiteral("movieCameras"));
         QCOMPARE(cameras->count(), 3); // the view, around it, the scene's own
         cameras->setCurrentIndex(2);
     }));
     QTRY_VERIFY_WITH_TIMEOUT(m_window->isFree(), 6 * kPatienceMs);
     const auto pictures = picturesOf(path, kWidth, kHeight);
-    QCOMPARE(pictures.size(), std::size_t{16});
+    QCOMPARE(pictures.size(), std::size_t{15});
     QVERIFY(pictures.front() != pictures.back());
     QVERIFY(!m_window->state().session().isRunning()); // it was another run
 }
@@ -122,7 +122,7 @@ void TestMakeMovie::asTheTimelineMovesTheCamera()
     const QString path = pathOf(QStringLiteral("cut.png"));
     const auto picturesTaken = [&](int camera) {
         (void)make(path, [camera](QDialog& dialog) {
-            dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieTo"))->setValue(0.3);
+            dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieTo"))->setValue(0.34);
             auto* rates = dialog.findChild<QComboBox*>(QStringLiteral("movieRates"));
             rates->setCurrentIndex(rates->findData(30.0));
             auto* cameras = dialog.findChild<QComboBox*>(QStringLiteral("movieCameras"));
@@ -154,7 +154,7 @@ void TestMakeMovie::asNumberedPictures()
     openScene(walkScene(), QStringLiteral("walk.crowd"));
     const auto choose = [](QDialog& dialog) {
         dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieFrom"))->setValue(0.0);
-        dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieTo"))->setValue(0.1);
+        dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieTo"))->setValue(0.14);
         auto* rates = dialog.findChild<QComboBox*>(QStringLiteral("movieRates"));
         rates->setCurrentIndex(rates->findData(30.0));
         dialog.findChild<QCheckBox*>(QStringLiteral("picturePass.depth"))->setChecked(true);
@@ -224,7 +224,7 @@ void TestMakeMovie::ofWhatHasBeenPlayed()
     QCOMPARE(offered, 2);
     QTRY_VERIFY_WITH_TIMEOUT(m_window->isFree(), 6 * kPatienceMs);
     const auto pictures = picturesOf(path, kWidth, kHeight);
-    QCOMPARE(pictures.size(), std::size_t{16}); // 30 a second
+    QCOMPARE(pictures.size(), std::size_t{15}); // 30 a second
     QVERIFY(pictures.front() != pictures.back());
     QVERIFY(session.isRunning()); // and goes on
     QCOMPARE(session.liveSeconds(), live);

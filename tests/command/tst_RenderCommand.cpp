@@ -250,6 +250,8 @@ void RenderCommandTest::movesTheCamera()
     const auto cutEarlier =
         byFile(R"({"timeline": [{"id": 1, "seconds": 1, "kind": "camera", "camera": "top"}]})");
     QVERIFY(cutEarlier.size() == 4 && cutEarlier[0] == front[0] && cutEarlier[1] == top[1]);
+    const auto listAlone = byFile(R"([{"seconds": 1, "kind": "camera", "camera": "top"}])");
+    QVERIFY(listAlone.size() == 4 && listAlone[0] == front[0] && listAlone[1] == top[1]);
     for (const char* odd : {"", "[1]", "{", R"({"timeline": []})", R"({"timeline": 7})",
                             R"({"timeline": [{"id": 1, "seconds": 1, "kind": "tram"}]})"}) {
         QVERIFY2(byFile(odd).empty(), odd);

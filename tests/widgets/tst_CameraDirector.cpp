@@ -3,6 +3,7 @@
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QToolButton>
 
 #include "model/document/SceneEdit.h"
@@ -13,6 +14,7 @@
 #include "widgets/docks/FieldForm.h"
 #include "widgets/docks/TimelineDock.h"
 #include "widgets/docks/TimelineView.h"
+#include "widgets/docks/ValueSlider.h"
 
 using namespace crowd;
 using namespace crowd::widgets;
@@ -59,6 +61,7 @@ private Q_SLOTS:
     void whatTheViewShowsIsPutIntoTheTimeline();
     void theViewGoesAlong();
     void whoMovesTheViewHasIt();
+    void whatIsToComeIsShown();
     void whatIsWorkedUponIsSeen();
     void goingToCamerasIsRecorded();
     void renamingACameraReachesItsMarks();
@@ -81,6 +84,9 @@ void TestCameraDirector::whatTheViewShowsIsPutIntoTheTimeline()
     QVERIFY(desk.state.director().isOn()); // the view has got a name, and has not moved
     desk.document.undoStack().undo();      // both in one step
     QVERIFY(desk.marks().empty() && desk.document.scene().cameras.size() == 2);
+    desk.document.undoStack().redo(); // and is to be worked on
+    QCOMPARE(desk.dock->findChild<TimelineView*>()->chosen(), MarkIds{desk.marks()[0].id});
+    desk.document.undoStack().undo();
     desk.state.setCamera(kAside, QStringLiteral("aside"));
     desk.doubleClick(6.0);
     QVERIFY(desk.marks().size() == 1 && desk.marks()[0].camera == "aside");
@@ -134,6 +140,32 @@ void TestCameraDirector::whoMovesTheViewHasIt()
     QVERIFY(desk.state.director().isOn() && desk.state.camera() == kAside);
 }
 
+/// Where nothing has to be played for it, all of it; else the camera alone.
+void TestCameraDirector::whatIsToComeIsShown()
+{
+    DirectorDesk desk;
+    QVERIFY(desk.isReady());
+    desk.state.setCamera(kAside, QStringLiteral("aside"));
+    QVERIFY(addMark(desk.state, model::MarkKind::Camera, 4.0) != 0);
+    showMoment(desk.state, 5.0);
+    QVERIFY(desk.state.transport().seconds() == 5.0 && desk.state.camera() == kAside);
+    showMoment(desk.state, 1.0);
+    QVERIFY(desk.state.camera() == kFront);
+    desk.document.edit(QString(), [](model::SceneEdit& edit) {
+        model::Rule rule;
+        rule.id = 1;
+        rule.trigger = model::triggers::Event();
+        rule.actions = {model::actions::Stop()};
+        edit.setRules({rule});
+    });
+    QVERIFY(desk.document.scene().hasBehaviour());
+    const QSignalSpy said(&desk.state, &EditorState::statusMessage);
+    showMoment(desk.state, 5.0);
+    QVERIFY(desk.state.transport().seconds() == 1.0 && desk.state.camera() == kAside);
+    QCOMPARE(said.count(), 1); // that it has not been played
+    QVERIFY(desk.state.director().isOn());
+}
+
 void TestCameraDirector::whatIsWorkedUponIsSeen()
 {
     DirectorDesk desk;
@@ -150,6 +182,16 @@ void TestCameraDirector::whatIsWorkedUponIsSeen()
     Q_EMIT cameras->activated(2);
     QCOMPARE(desk.marks()[0].camera, std::string("aside"));
     QVERIFY(desk.state.camera() == kAside);
+    ValueSlider* at = nullptr;
+    for (ValueSlider* each : form->findChildren<ValueSlider*>()) {
+        at = each->isVisible() && at == nullptr ? each : at;
+    }
+    QVERIFY(at != nullptr);
+    QTest::keyClick(at, Qt::Key_Return); // more than the bar has
+    QTest::keyClicks(at->findChild<QLineEdit*>(), QStringLiteral("150"));
+    QTest::keyClick(at->findChild<QLineEdit*>(), Qt::Key_Return);
+    QCOMPARE(desk.marks()[0].seconds, 150.0);
+    desk.document.undoStack().undo();
     removeCamera(desk.state, QStringLiteral("aside"));
     QVERIFY(desk.state.camera() == kFront); // it stays where it is, and says so
 }
@@ -170,6 +212,9 @@ void TestCameraDirector::goingToCamerasIsRecorded()
     QTRY_COMPARE(desk.marks().size(), std::size_t{2});
     QVERIFY(desk.marks()[0].camera == "front" && desk.marks()[0].seconds == 1.5);
     QVERIFY(desk.marks()[1].camera == "aside" && desk.marks()[1].seconds == 2.0);
+    QVERIFY(!desk.state.director().isOn());
+    desk.state.session().recorder().setOn(false); // it is on the screen what was recorded
+    QVERIFY(desk.state.director().isOn());
 }
 
 void TestCameraDirector::renamingACameraReachesItsMarks()

@@ -158,6 +158,14 @@ void DocksTest::renamedCameraCanBeUndone()
     QCOMPARE(desk.document.scene().cameras.front().name, std::string("balcony"));
     desk.document.undoStack().undo();
     QTRY_COMPARE(tree->topLevelItem(2)->child(0)->text(0), QStringLiteral("front"));
+    const std::size_t cameras = desk.document.scene().cameras.size();
+    desk.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+    tree->setCurrentItem(tree->topLevelItem(2)->child(0));
+    tree->setFocus();
+    QTest::keyClick(tree, Qt::Key_Delete);
+    QCOMPARE(desk.document.scene().cameras.size(), cameras - 1);
+    desk.document.undoStack().undo();
 }
 
 void DocksTest::stagesAndTemplatesAreRenamed()

@@ -330,7 +330,7 @@ void showMoment(EditorState& state, double seconds)
     Scrub scrub(state);
     const double last = scrub.last();
     scrub.show(seconds);
-    if (seconds > last + kSameMoment) {
+    if (seconds > state.transport().seconds() + kSameMoment) {
         state.showStatus(MarkText::tr("It has been played up to %1 s: play on to see more.")
                              .arg(last, 0, 'f', 2));
     }

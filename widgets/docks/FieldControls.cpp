@@ -53,6 +53,10 @@ void addNumber(FieldForm& form, const Bound& bound, double low, double high)
     ValueSlider::Range range = controlRange(bound.field->meta);
     range.low = low;
     range.high = high;
+    if (form.context().brush == nullptr) { // of brushes an artist means no more than the bar has
+        range.least = bound.field->meta.low * bound.field->meta.shownScale;
+        range.most = bound.field->meta.high * bound.field->meta.shownScale;
+    }
     const double scale = bound.field->meta.shownScale;
     const auto get = [&form, bound, scale] {
         return std::visit(
@@ -100,8 +104,10 @@ void addChoices(FieldForm& form, const Bound& bound)
     const auto choices = bound.field->meta.choices;
     const bool isFlag = bound.field->is<bool>();
     QStringList names;
+    QStringList tips;
     for (const model::FieldChoice& choice : choices) {
         names << fieldText(choice.label);
+        tips << (*choice.tip != 0 ? fieldText(choice.tip) : QString());
     }
     const auto chosen = [&form, bound, isFlag] {
         return isFlag ? static_cast<int>(form.valueOf<bool>(bound))
@@ -113,7 +119,7 @@ void addChoices(FieldForm& form, const Bound& bound)
             form.setValue(bound, isFlag ? model::FieldValue(index == 1)
                                         : model::FieldValue(static_cast<std::int64_t>(index)));
         },
-        bound.isShown);
+        bound.isShown, tips);
     for (std::size_t i = 0; i < choices.size(); ++i) {
         if (*choices[i].tip != '\0') {
             form.addNote(fieldText(choices[i].tip), [bound, chosen, i] {

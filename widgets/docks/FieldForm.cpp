@@ -200,10 +200,13 @@ void FieldForm::addSlider(const QString& label, const ValueSlider::Range& range,
 }
 
 void FieldForm::addChoice(const QString& label, const QStringList& names, std::function<int()> get,
-                          std::function<void(int)> set, Condition isShown)
+                          std::function<void(int)> set, Condition isShown, const QStringList& tips)
 {
     auto* box = new QComboBox(this);
     box->addItems(names);
+    for (int i = 0; i < box->count() && i < tips.size(); ++i) {
+        box->setItemData(i, tips[i], Qt::ToolTipRole);
+    }
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     connect(box, &QComboBox::activated, this, std::move(set));
     addLabelled(
@@ -294,7 +297,7 @@ void FieldForm::beginRow()
 
 void FieldForm::addNote(const QString& text, const Condition& isShown)
 {
-    if (m_inside > 0) {
+    if (m_inside > 0 || !m_areNotesShown) {
         return; // it would come again with every item
     }
     auto* note = new QLabel(text, this);

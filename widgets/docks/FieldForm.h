@@ -53,6 +53,9 @@ public:
     /// What is added from here on folds under the title. `key` names it in the preferences.
     void beginSection(const QString& title, const QString& key);
     void addNote(const QString& text, const Condition& isShown = {});
+    /// Of what is added from here on: else what they say is in tool tips alone.
+    void setNotesShown(bool areShown) { m_areNotesShown = areShown; }
+    [[nodiscard]] bool areNotesShown() const { return m_areNotesShown; }
     /// Whether a list has another length than when its controls were made: the form must be made
     /// anew. refresh() does nothing then.
     [[nodiscard]] bool isOutdated() const;
@@ -91,7 +94,7 @@ public:
     void addLabelled(const QString& label, QWidget* control, std::function<void()> refresh,
                      Condition isShown);
     void addChoice(const QString& label, const QStringList& names, std::function<int()> get,
-                   std::function<void(int)> set, Condition isShown);
+                   std::function<void(int)> set, Condition isShown, const QStringList& tips = {});
     void addSlider(const QString& label, const ValueSlider::Range& range,
                    std::function<double()> get, std::function<void(double)> set, Condition isShown);
     /// What is added until endRow() stands side by side.
@@ -99,6 +102,7 @@ public:
     void endRow() { m_row = nullptr; }
 
 private:
+    bool m_areNotesShown = true;
     struct Section
     {
         QToolButton* header;

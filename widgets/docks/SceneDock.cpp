@@ -83,6 +83,7 @@ SceneDock::SceneDock(EditorState& state, QWidget* parent)
         }
     });
     connect(m_tree, &QTreeWidget::customContextMenuRequested, this, &SceneDock::showMenu);
+    removeByKey(*m_tree, [this] { removeCurrent(); });
     rebuild();
 }
 
@@ -210,6 +211,23 @@ void SceneDock::removeStage(std::uint8_t id)
 {
     m_state.document().edit(tr("Remove stage"),
                             [&](model::SceneEdit& edit) { edit.removeStage(id); });
+}
+
+/// As its menu does.
+void SceneDock::removeCurrent()
+{
+    const QTreeWidgetItem* item = m_tree->currentItem();
+    if (item == nullptr) {
+        return;
+    }
+    const QVariant id = item->data(0, kIdRole);
+    if (item->type() == CameraItem) {
+        removeCamera(m_state, id.toString());
+    } else if (item->type() == StageItem) {
+        removeStage(static_cast<std::uint8_t>(id.toUInt()));
+    } else if (item->type() == TemplateItem) {
+        Q_EMIT removeTemplateRequested(static_cast<model::TemplateId>(id.toUInt()));
+    }
 }
 
 void SceneDock::fillStageMenu(QMenu& menu, std::uint8_t id)

@@ -48,6 +48,7 @@ private:
     void fillCameraMenu(QMenu& menu, const QString& name);
     void addLookMenu(QMenu& menu, const QString& camera);
     void removeStage(std::uint8_t id);
+    void removeCurrent();
 
     EditorState& m_state;
     QTreeWidget* m_tree;

@@ -72,6 +72,7 @@ QWidget* TimelineDock::makeButtons()
     auto* row = new QWidget(this);
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(1);
     const auto add = [row, layout](const char* icon, const QString& tip, const char* name) {
         QToolButton* button = panelButton(row, icon, tip, name);
         layout->addWidget(button);
@@ -142,6 +143,9 @@ void TimelineDock::addFollow(QToolButton& button)
 void TimelineDock::makeUnits()
 {
     m_units->setObjectName(QStringLiteral("timelineUnits"));
+    m_units->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_units->setMinimumContentsLength(6);
+    m_units->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     m_units->setToolTip(tr("What times are shown in, and caught by when marks are dragged"));
     const int before = QSettings().value(kUnitKey).toInt();
     for (const int rate : kFrameRates) {
@@ -191,6 +195,7 @@ void TimelineDock::makeForm()
                             }};
     m_form = new FieldForm(target, QStringLiteral("mark"), &m_state, m_side);
     m_form->setObjectName(QStringLiteral("markForm"));
+    m_form->setNotesShown(false); // there is little room, and more than one has to be seen
     m_form->addFields(model::fieldsOf<Mark>());
     m_form->finish();
     connect(m_form, &FieldForm::held, &m_edit, &HeldEdit::hold);
@@ -218,11 +223,12 @@ QString TimelineDock::flaws() const
 {
     const MarkIds& chosen = m_view->chosen();
     QStringList all;
+    const auto flawed = model::flawsOfMarks(m_state.scene());
     for (const Mark& mark : model::inOrder(m_state.scene().timeline)) {
         const bool isMeant = chosen.empty() || chosen.contains(mark.id);
-        const model::Message flaw = isMeant ? flawOf(m_state.scene(), mark) : model::Message();
-        if (!flaw.empty()) {
-            all << tr("⚠ %1").arg(model::translated(flaw));
+        const auto flaw = flawed.find(mark.id);
+        if (isMeant && flaw != flawed.end()) {
+            all << tr("⚠ %1").arg(model::translated(flaw->second));
         }
     }
     if (all.size() > kMostFlaws) {

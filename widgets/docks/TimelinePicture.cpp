@@ -164,9 +164,9 @@ void Picture::drawLength(const Mark& mark, const QPoint& at) const
     const double pixels = m_shown.scale.pixels(mark.length());
     if (pixels > 1.0) {
         QColor bar(kTimelineLanes[laneOf(mark.kind)].color);
-        bar.setAlphaF(0.35F);
-        m_painter.fillRect(
-            QRectF(at.x(), at.y() - kMarkHalf + 2, std::min(pixels, 1e5), 2 * kMarkHalf - 4), bar);
+        bar.setAlphaF(0.22F);
+        const int height = layout().laneHeight() - 6; // as high as the name that stands in it
+        m_painter.fillRect(QRectF(at.x(), at.y() - height / 2, std::min(pixels, 1e5), height), bar);
     }
 }
 

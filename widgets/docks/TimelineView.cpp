@@ -47,6 +47,9 @@ TimelineView::TimelineView(EditorState& state, QWidget* parent)
                 if (isOneOf<model::TimelineChanged, model::RulesChanged, model::StatesChanged,
                             model::CamerasChanged, model::PathsChanged, model::IndividualsAdded,
                             model::IndividualsRemoved, model::SceneReplaced>(change)) {
+                    if (isOneOf<model::SceneReplaced>(change)) {
+                        m_ordered = model::inOrder(m_state.scene().timeline);
+                    }
                     followScene();
                 }
             });
@@ -64,12 +67,14 @@ QSize TimelineView::minimumSizeHint() const
 
 void TimelineView::followScene()
 {
+    MarkIds known;
+    for (const Mark& mark : m_ordered) {
+        known.insert(mark.id);
+    }
     m_ordered = model::inOrder(m_state.scene().timeline);
     m_flawed.clear();
-    for (const Mark& mark : m_ordered) {
-        if (!flawOf(m_state.scene(), mark).empty()) {
-            m_flawed.insert(mark.id);
-        }
+    for (const auto& [id, flaw] : model::flawsOfMarks(m_state.scene())) {
+        m_flawed.insert(id);
     }
     const auto before = m_chosen.size();
     std::erase_if(m_chosen, [this](model::MarkId id) {
@@ -79,7 +84,20 @@ void TimelineView::followScene()
         m_drag.reset(); // undone under the hand
         Q_EMIT chosenChanged();
     }
+    chooseNew(known);
     update();
+}
+
+/// One that has come by itself, or back by undo, is what is to be worked on; what is recorded is
+/// not, and of another scene all are new.
+void TimelineView::chooseNew(const MarkIds& known)
+{
+    const bool isOne = m_ordered.size() == known.size() + 1;
+    const auto fresh = std::ranges::find_if(
+        m_ordered, [&known](const Mark& mark) { return !known.contains(mark.id); });
+    if (isOne && fresh != m_ordered.end() && !m_drag && !m_state.session().recorder().isOn()) {
+        choose({fresh->id});
+    }
 }
 
 void TimelineView::followTime(double seconds)
@@ -176,7 +194,27 @@ const Mark* TimelineView::markAt(const QPoint& at) const
             nearest = &mark;
         }
     }
-    return nearest;
+    return nearest != nullptr ? nearest : markThrough(at);
+}
+
+/// Of which the bar or the name is there: of several the one that begins last.
+const Mark* TimelineView::markThrough(const QPoint& at) const
+{
+    const auto kind = layout().laneAt(at.y());
+    const Mark* through = nullptr;
+    for (const Mark& mark : m_ordered) {
+        const int from = placeOf(mark).x();
+        if (!kind || mark.kind != *kind || from > at.x()) {
+            continue;
+        }
+        const int name =
+            kMarkHalf + kNear + fontMetrics().horizontalAdvance(markTitle(m_state.scene(), mark));
+        const double reach = std::max<double>(name, m_scale.pixels(mark.length()));
+        if (at.x() - from <= reach) {
+            through = &mark;
+        }
+    }
+    return at.x() >= kNames ? through : nullptr;
 }
 
 /// Keys that the window has actions for are the timeline's while marks are chosen.
@@ -256,7 +294,8 @@ void TimelineView::mouseMoveEvent(QMouseEvent* event)
     } else if (m_scrub.isHeld()) {
         m_scrub.show(m_scale.seconds(at.x() - kNames));
     } else if (m_drag && (event->buttons() & Qt::LeftButton) != 0) {
-        const int way = at.x() - m_drag->from.x();
+        // What is dragged stays in sight.
+        const int way = std::clamp(at.x(), kNames, width() - kMarkHalf) - m_drag->from.x();
         m_drag->isMoving = m_drag->isMoving || std::abs(way) >= QApplication::startDragDistance();
         const Mark* first = model::findMark(m_state.scene().timeline, *m_chosen.begin());
         if (m_drag->isMoving && first != nullptr) {

@@ -81,6 +81,8 @@ private:
     [[nodiscard]] model::PlayRange shownRange() const; ///< also while it is dragged
     void addRangeActions(QMenu& menu, double seconds);
     void followScene();
+    void chooseNew(const MarkIds& known);
+    [[nodiscard]] const model::Mark* markThrough(const QPoint& at) const;
     void fitAtFirst();
     void followTime(double seconds);
     /// Somebody is about to click, or drags: what is shown stays where it is.

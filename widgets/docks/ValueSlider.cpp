@@ -173,6 +173,19 @@ void ValueSlider::edit(double value)
     }
 }
 
+/// As typed: also where the bar does not reach.
+void ValueSlider::editBeyond(double value)
+{
+    Range typed = m_range;
+    typed.low = std::min(m_range.low, m_range.least);
+    typed.high = std::max(m_range.high, m_range.most);
+    const double rounded = barValue(typed, value);
+    if (rounded != m_value) {
+        setValue(rounded);
+        Q_EMIT valueEdited(rounded);
+    }
+}
+
 void ValueSlider::paintEvent(QPaintEvent*)
 {
     drawValueBar(*this, 0.0, share(), m_label, number());
@@ -252,7 +265,7 @@ void ValueSlider::type()
     typeOverBar(*this, QLocale().toString(m_value, 'f', m_range.decimals),
                 [this](const QString& text) {
                     if (const auto number = typedNumber(text)) {
-                        edit(*number);
+                        editBeyond(*number);
                     } else {
                         refuseTyped(*this, text);
                     }

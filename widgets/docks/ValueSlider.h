@@ -25,6 +25,9 @@ public:
         int decimals = 2;
         QString suffix;
         bool isCurved = false; ///< small values get more of the bar
+        /// What can be typed, where that is more than the bar has.
+        double least = 0.0;
+        double most = 0.0;
     };
 
     ValueSlider(const QString& label, const Range& range, QWidget* parent);
@@ -52,6 +55,7 @@ private:
     [[nodiscard]] double share() const;
     [[nodiscard]] double valueAt(double share) const;
     void edit(double value);
+    void editBeyond(double value);
     void type();
 
     QString m_label;

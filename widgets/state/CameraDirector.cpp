@@ -16,6 +16,8 @@ void CameraDirector::begin()
     connect(&m_state.document(), &model::SceneDocument::changed, this, &CameraDirector::follow);
     connect(&m_state.transport(), &Transport::timeChanged, this, &CameraDirector::direct);
     connect(&m_state, &EditorState::viewCameraChanged, this, &CameraDirector::followView);
+    connect(&m_state.session().recorder(), &MarkRecorder::changed, this,
+            &CameraDirector::followRecorder);
     m_track = model::CameraTrack(m_state.scene());
     m_seen = m_state.camera();
 }
@@ -68,12 +70,27 @@ void CameraDirector::followView()
            "the Timeline gives it back."));
 }
 
+/// What was recorded is what the view has shown: it goes along again.
+void CameraDirector::followRecorder(bool isRecording)
+{
+    const bool isThere = m_track.hasMoves() &&
+                         m_track.at(m_state.transport().seconds()).camera == m_state.cameraTarget();
+    if (!isRecording && isThere) {
+        setOn(true);
+    }
+}
+
 void CameraDirector::direct()
+{
+    preview(m_state.transport().seconds());
+}
+
+void CameraDirector::preview(double seconds)
 {
     if (!m_isOn || !m_track.hasMoves()) {
         return;
     }
-    const model::DirectedCamera now = m_track.at(m_state.transport().seconds());
+    const model::DirectedCamera now = m_track.at(seconds);
     m_isDirecting = true;
     m_state.setCamera(now.camera, QString::fromStdString(now.name));
     const auto& cameras = m_state.scene().cameras;

@@ -26,6 +26,8 @@ public:
     void setOn(bool isOn);
     [[nodiscard]] bool isOn() const { return m_isOn; }
     [[nodiscard]] const model::CameraTrack& track() const { return m_track; }
+    /// Shows the camera of another moment than that of the clock, until time goes on.
+    void preview(double seconds);
     /// Connects to a state that is complete by now.
     void begin();
     /// The scene is being replaced: what the timeline was like means nothing any more.
@@ -39,6 +41,7 @@ Q_SIGNALS:
 private:
     void follow(const model::SceneChange& change);
     void followView();
+    void followRecorder(bool isRecording);
     void direct();
 
     EditorState& m_state;

@@ -19,7 +19,8 @@ public:
     // Of what can be shown, by the clock.
     [[nodiscard]] double first() const;
     [[nodiscard]] double last() const;
-    /// That moment, or the nearest to it that can be shown.
+    /// That moment, or the nearest to it that can be shown; the timeline's camera also of one that
+    /// has not been played yet.
     void show(double seconds);
 
 private:
