@@ -219,7 +219,7 @@ void TestPicturePasses::manyOfAPixelKeepTheirTemplates()
     const auto frame = frameOf(people, {entryFor(man, 1), entryFor(man, 2)});
     app::Coverage coverage;
     for (std::size_t row = 0; row < kPeople; ++row) {
-        coverage.add({{1, 1}, {{}}, {{}}, {static_cast<std::int32_t>(row)}}, *frame);
+        coverage.add({{1, 1}, {{}}, {{}}, {static_cast<std::int32_t>(row)}, {}}, *frame);
     }
     const app::ExrLayer layer = app::cryptomatteLayer(coverage, *frame);
     const auto valueOf = [&layer](const std::string& name) {

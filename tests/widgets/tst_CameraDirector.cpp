@@ -175,8 +175,11 @@ void TestCameraDirector::whatIsWorkedUponIsSeen()
     desk.show(3.0);
     auto* form = desk.dock->findChild<FieldForm*>(QStringLiteral("markForm"));
     QVERIFY(form != nullptr && form->isVisible());
-    auto* cameras = form->findChild<QComboBox*>(QStringLiteral("mark.camera"));
-    QVERIFY(cameras != nullptr);
+    QComboBox* cameras = nullptr;
+    for (QComboBox* each : form->findChildren<QComboBox*>()) {
+        cameras = each->findText(QStringLiteral("aside")) >= 0 ? each : cameras;
+    }
+    QVERIFY(cameras != nullptr && cameras->isVisible());
     QCOMPARE(cameras->count(), 3); // or from where it is
     cameras->setCurrentIndex(2);
     Q_EMIT cameras->activated(2);
@@ -212,7 +215,10 @@ void TestCameraDirector::goingToCamerasIsRecorded()
     QTRY_COMPARE(desk.marks().size(), std::size_t{2});
     QVERIFY(desk.marks()[0].camera == "front" && desk.marks()[0].seconds == 1.5);
     QVERIFY(desk.marks()[1].camera == "aside" && desk.marks()[1].seconds == 2.0);
-    QVERIFY(!desk.state.director().isOn());
+    goToCamera(desk.state, QStringLiteral("front"));
+    desk.state.advance(0.5);
+    QTRY_COMPARE(desk.marks().size(), std::size_t{3});
+    QVERIFY(!desk.state.director().isOn() && desk.state.camera() == kFront);
     desk.state.session().recorder().setOn(false); // it is on the screen what was recorded
     QVERIFY(desk.state.director().isOn());
 }
