@@ -89,6 +89,7 @@ public:
         return m_maker->save(path, m_request, passes);
     }
 
+private:
     /// What the camera sees then, and how.
     [[nodiscard]] model::Result<ChosenLook> lookAt(double seconds)
     {
@@ -107,8 +108,6 @@ public:
         }
         return look;
     }
-
-private:
     [[nodiscard]] model::CrowdFramePtr frameAt(double seconds)
     {
         auto frame = m_motion.at(seconds, nullptr,
@@ -249,6 +248,14 @@ int runRender(const RenderOptions& options)
     if (!track) {
         return fail(track.error());
     }
+    const model::DirectedCamera begin = track.value().at(plan.value().beginSeconds());
+    if (const auto lens = lensOf({options.focusMetres, options.fStop}, begin.camera); !lens) {
+        return fail(lens.error(), kBadUsage);
+    }
+    const LookWish wish{options.look, options.by, std::nullopt, begin.look};
+    if (const auto look = chosenLook(wish, scene.value()); !look) {
+        return fail(look.error(), kBadUsage);
+    }
     if (options.camera.empty() && options.cameraMove.empty()) {
         sayFlaws(scene.value());
     }
@@ -258,9 +265,6 @@ int runRender(const RenderOptions& options)
     InterruptGuard::install();
     ScenePictures pictures(std::move(scene).value(), std::move(track).value(), plan.value(),
                            {options.look, options.by}, {options.focusMetres, options.fStop});
-    if (const auto look = pictures.lookAt(plan.value().beginSeconds()); !look) {
-        return fail(look.error(), kBadUsage);
-    }
     if (auto opened = pictures.open(); !opened) {
         return fail(opened.error());
     }

@@ -47,6 +47,9 @@ Camera blended(const Camera& from, const Camera& to, float t)
 Camera goneAround(const Camera& camera, float radians)
 {
     Camera turned = camera;
+    if (radians == 0.0F) {
+        return turned; // to the last bit
+    }
     const glm::quat turn = glm::angleAxis(radians, glm::vec3(0.0F, 1.0F, 0.0F));
     turned.orientation = glm::normalize(turn * camera.orientation);
     turned.position = camera.pivot() - turned.forward() * camera.pivotDistance;
