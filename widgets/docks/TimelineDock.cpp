@@ -27,8 +27,8 @@ using model::Mark;
 
 namespace {
 
-constexpr int kSideWidth = 288; ///< logical pixels
-constexpr int kGroupGap = 8;    ///< logical pixels
+constexpr int kSideWidth = 256; ///< logical pixels
+constexpr int kGroupGap = 4;    ///< logical pixels
 constexpr int kMostFlaws = 4;
 constexpr std::array kFrameRates{0, 24, 25, 30, 60};
 const QString kUnitKey = QStringLiteral("timeline/frameRate");
@@ -144,7 +144,7 @@ void TimelineDock::makeUnits()
 {
     m_units->setObjectName(QStringLiteral("timelineUnits"));
     m_units->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_units->setMinimumContentsLength(6);
+    m_units->setMinimumContentsLength(4);
     m_units->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     m_units->setToolTip(tr("What times are shown in, and caught by when marks are dragged"));
     const int before = QSettings().value(kUnitKey).toInt();
