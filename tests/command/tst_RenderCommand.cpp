@@ -47,8 +47,8 @@ void RenderCommandTest::drawsOnlyWhatMakesSense_data()
     QTest::addColumn<QByteArray>("message");
     const BadUsage rows[] = {
         {"unknown camera", "--output %1/a.png --camera nobody", 1, "no camera named \"nobody\""},
-        {"a camera that moves by itself",
-         "--output %1/a.png --camera Front --camera-move x.json", 1, "leave --camera away"},
+        {"a camera that moves by itself", "--output %1/a.png --camera Front --camera-move x.json",
+         1, "leave --camera away"},
         {"a move that is not there", "--output %1/a.png --camera-move %1/no.json", 1,
          "give \"turntable\", or a file"},
         {"size 0", "--output %1/a.png --size 0x0", 2, "--size 0x0"},

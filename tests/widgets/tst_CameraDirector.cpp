@@ -173,6 +173,23 @@ void TestCameraDirector::whatIsWorkedUponIsSeen()
     desk.doubleClick(2.0);
     QCOMPARE(desk.marks()[0].camera, std::string("front"));
     desk.show(3.0);
+    // What lasts is taken hold of anywhere, and something else can begin meanwhile.
+    model::Timeline longer = desk.marks();
+    longer[0].travel = 4.0F;
+    desk.document.edit(QString(), [&longer](model::SceneEdit& edit) {
+        edit.set<model::members::Timeline>(longer);
+    });
+    auto* view = desk.dock->findChild<TimelineView*>();
+    view->choose({});
+    model::Mark within = longer[0];
+    within.seconds = 5.0;
+    QTest::mouseClick(view, Qt::LeftButton, {}, view->placeOf(within));
+    QCOMPARE(view->chosen(), MarkIds{longer[0].id});
+    desk.doubleClick(5.0);
+    QCOMPARE(desk.marks().size(), std::size_t{2});
+    desk.document.undoStack().undo();
+    desk.document.undoStack().undo();
+    view->choose({longer[0].id});
     auto* form = desk.dock->findChild<FieldForm*>(QStringLiteral("markForm"));
     QVERIFY(form != nullptr && form->isVisible());
     QComboBox* cameras = nullptr;

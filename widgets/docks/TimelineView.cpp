@@ -184,6 +184,12 @@ double TimelineView::shownSeconds(const Mark& mark) const
 
 const Mark* TimelineView::markAt(const QPoint& at) const
 {
+    const Mark* diamond = diamondAt(at);
+    return diamond != nullptr ? diamond : markThrough(at);
+}
+
+const Mark* TimelineView::diamondAt(const QPoint& at) const
+{
     const Mark* nearest = nullptr;
     int least = kMarkHalf + kNear;
     const int reach = layout().laneHeight() / 2;
@@ -194,7 +200,7 @@ const Mark* TimelineView::markAt(const QPoint& at) const
             nearest = &mark;
         }
     }
-    return nearest != nullptr ? nearest : markThrough(at);
+    return nearest;
 }
 
 /// Of which the bar or the name is there: of several the one that begins last.
@@ -415,7 +421,7 @@ void TimelineView::mouseDoubleClickEvent(QMouseEvent* event)
     if (event->button() != Qt::LeftButton || !kind || at.x() < kNames) {
         return;
     }
-    if (const Mark* mark = markAt(at)) {
+    if (const Mark* mark = diamondAt(at)) { // within a bar something else can begin
         showMoment(m_state, mark->seconds);
     } else if (const auto id =
                    addMark(m_state, *kind, m_scale.caught(m_scale.seconds(at.x() - kNames)))) {

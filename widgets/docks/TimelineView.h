@@ -82,6 +82,7 @@ private:
     void addRangeActions(QMenu& menu, double seconds);
     void followScene();
     void chooseNew(const MarkIds& known);
+    [[nodiscard]] const model::Mark* diamondAt(const QPoint& at) const;
     [[nodiscard]] const model::Mark* markThrough(const QPoint& at) const;
     void fitAtFirst();
     void followTime(double seconds);
