@@ -165,8 +165,9 @@ void Picture::drawLength(const Mark& mark, const QPoint& at) const
     if (pixels > 1.0) {
         QColor bar(kTimelineLanes[laneOf(mark.kind)].color);
         bar.setAlphaF(0.22F);
-        const int height = layout().laneHeight() - 6; // as high as the name that stands in it
-        m_painter.fillRect(QRectF(at.x(), at.y() - height / 2, std::min(pixels, 1e5), height), bar);
+        const double height = layout().laneHeight() - 6; // as high as the name that stands in it
+        m_painter.fillRect(QRectF(at.x(), at.y() - 0.5 * height, std::min(pixels, 1e5), height),
+                           bar);
     }
 }
 
