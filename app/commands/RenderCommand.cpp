@@ -60,14 +60,15 @@ public:
         return {};
     }
 
-    /// Kept until the next one. Its motion is said against the moment before.
-    [[nodiscard]] model::Result<void> draw(double seconds, std::optional<double> before = {})
+    /// The moment that motion in the picture of another one is said against.
+    void setBefore(double before, double seconds)
     {
-        m_request.earlier.reset();
-        if (before) {
-            m_request.earlier =
-                render::EarlierMoment{frameAt(*before), m_track.before(*before, seconds).camera};
-        }
+        m_request.earlier =
+            render::EarlierMoment{frameAt(before), m_track.before(before, seconds).camera};
+    }
+    /// Kept until the next one.
+    [[nodiscard]] model::Result<void> draw(double seconds)
+    {
         const auto look = lookAt(seconds);
         if (!look) {
             return look.error();
@@ -182,10 +183,10 @@ model::Result<void> writeFrames(ScenePictures& pictures, const RenderPlan& plan,
         if (plan.isResumed && QFileInfo::exists(path)) {
             continue; // whole: a picture is written as a whole or not at all
         }
-        const std::optional<double> before = needAny(plan.passes, PassNeed::Motion)
-                                                 ? std::optional(plan.secondsBefore(frame))
-                                                 : std::nullopt;
-        if (auto drawn = pictures.draw(plan.secondsOf(frame), before); !drawn) {
+        if (needAny(plan.passes, PassNeed::Motion)) {
+            pictures.setBefore(plan.secondsBefore(frame), plan.secondsOf(frame));
+        }
+        if (auto drawn = pictures.draw(plan.secondsOf(frame)); !drawn) {
             return drawn;
         }
         {
