@@ -11,20 +11,21 @@ namespace {
 
 constexpr double kSameMoment = 1e-6; ///< seconds; a frame's time is a sum
 
-std::optional<CameraRail> railOf(const Scene& scene, const Mark& mark)
+/// Null: it leads nowhere.
+std::shared_ptr<const CameraRail> railOf(const Scene& scene, PathId id)
 {
-    const auto path = std::ranges::find(scene.paths, mark.path, &Path::id);
-    if (mark.move != CameraMove::Along || path == scene.paths.end()) {
-        return std::nullopt;
+    const auto path = std::ranges::find(scene.paths, id, &Path::id);
+    if (path == scene.paths.end()) {
+        return nullptr;
     }
     std::vector<glm::vec3> points;
-    for (const PlaceId id : path->places) {
-        if (const Place* place = scene.findPlace(id)) {
-            points.push_back(place->position + glm::vec3(0.0F, mark.above, 0.0F));
+    for (const PlaceId each : path->places) {
+        if (const Place* place = scene.findPlace(each)) {
+            points.push_back(place->position);
         }
     }
-    CameraRail rail(points, path->kind == PathKind::Cyclic);
-    return rail.isEmpty() ? std::nullopt : std::optional(std::move(rail));
+    auto rail = std::make_shared<const CameraRail>(points, path->kind == PathKind::Cyclic);
+    return rail->isEmpty() ? nullptr : rail;
 }
 
 /// 0..1; slow at both ends where it is gentle.
@@ -53,8 +54,9 @@ CameraTrack::CameraTrack(const Scene& scene)
     Timeline moves;
     std::ranges::copy_if(scene.timeline, std::back_inserter(moves),
                          [](const Mark& mark) { return mark.kind == MarkKind::Camera; });
+    Rails rails;
     for (const Mark& mark : inOrder(std::move(moves))) {
-        add(mark, scene);
+        add(mark, scene, rails);
     }
 }
 
@@ -67,19 +69,26 @@ CameraTrack CameraTrack::turntable(DirectedCamera start, double begin, double le
     mark.travel = static_cast<float>(length);
     mark.isGentle = false;
     CameraTrack track(std::move(start));
-    track.add(mark, Scene());
+    Rails none;
+    track.add(mark, Scene(), none);
     return track;
 }
 
 /// Later than those that are there.
-void CameraTrack::add(const Mark& mark, const Scene& scene)
+void CameraTrack::add(const Mark& mark, const Scene& scene, Rails& rails)
 {
     Leg leg;
     leg.mark = mark;
     leg.from = at(mark.seconds);
     const auto named = std::ranges::find(scene.cameras, mark.camera, &NamedCamera::name);
     leg.base = !mark.camera.empty() && named != scene.cameras.end() ? directed(*named) : leg.from;
-    leg.rail = railOf(scene, mark);
+    if (mark.move == CameraMove::Along) {
+        const auto [rail, isNew] = rails.try_emplace(mark.path);
+        if (isNew) {
+            rail->second = railOf(scene, mark.path);
+        }
+        leg.rail = rail->second;
+    }
     m_legs.push_back(std::move(leg));
 }
 
@@ -92,7 +101,8 @@ DirectedCamera CameraTrack::on(const Leg& leg, double seconds)
     } else if (leg.mark.move == CameraMove::To) {
         now.camera = blended(leg.from.camera, leg.base.camera, share);
     } else if (leg.rail) {
-        now.camera = onRail(leg.base.camera, *leg.rail, share, leg.mark.looksAhead);
+        now.camera =
+            onRail(leg.base.camera, *leg.rail, {share, leg.mark.above, leg.mark.looksAhead});
     }
     if (now.camera != leg.base.camera) {
         now.name.clear();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
+#include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,9 +57,11 @@ private:
         Mark mark;
         DirectedCamera from; ///< where it goes on from
         DirectedCamera base; ///< To: where it goes; else what the move begins with
-        std::optional<CameraRail> rail;
+        std::shared_ptr<const CameraRail> rail; ///< Along; null: it stays
     };
-    void add(const Mark& mark, const Scene& scene);
+    /// That some of the moves travel along, on the ground: one each, however many do.
+    using Rails = std::map<PathId, std::shared_ptr<const CameraRail>>;
+    void add(const Mark& mark, const Scene& scene, Rails& rails);
     [[nodiscard]] const Leg* legAt(double seconds) const; ///< null: before the first
     [[nodiscard]] static DirectedCamera on(const Leg& leg, double seconds);
 

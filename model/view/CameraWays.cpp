@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -143,11 +142,11 @@ CameraRail::Spot CameraRail::at(float share) const
     return {onPiece(piece, glm::mix(begin, end, t)), glm::normalize(to - from)};
 }
 
-Camera onRail(const Camera& camera, const CameraRail& rail, float share, bool looksAhead)
+Camera onRail(const Camera& camera, const CameraRail& rail, const RailPlace& place)
 {
-    const CameraRail::Spot spot = rail.at(share);
-    return facing(camera, spot.position,
-                  looksAhead ? spot.direction : camera.pivot() - spot.position);
+    const CameraRail::Spot spot = rail.at(place.share);
+    const glm::vec3 position = spot.position + glm::vec3(0.0F, place.above, 0.0F);
+    return facing(camera, position, place.looksAhead ? spot.direction : camera.pivot() - position);
 }
 
 } // namespace crowd::model

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -52,9 +51,13 @@ private:
     std::vector<double> m_lengths; ///< along the way up to each sample; the first is 0
 };
 
-/// On a rail: looking ahead, or else at what the camera looks at. Where there is nothing to look
-/// at the camera's direction stays.
-[[nodiscard]] Camera onRail(const Camera& camera, const CameraRail& rail, float share,
-                            bool looksAhead);
+struct RailPlace
+{
+    float share = 0.0F;     ///< of its length, 0..1
+    float above = 0.0F;     ///< metres
+    bool looksAhead = true; ///< else at what the camera looks at
+};
+/// Above a rail. Where there is nothing to look at the camera's direction stays.
+[[nodiscard]] Camera onRail(const Camera& camera, const CameraRail& rail, const RailPlace& place);
 
 } // namespace crowd::model
