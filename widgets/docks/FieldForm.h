@@ -55,7 +55,6 @@ public:
     void addNote(const QString& text, const Condition& isShown = {});
     /// Of what is added from here on: else what they say is in tool tips alone.
     void setNotesShown(bool areShown) { m_areNotesShown = areShown; }
-    [[nodiscard]] bool areNotesShown() const { return m_areNotesShown; }
     /// Whether a list has another length than when its controls were made: the form must be made
     /// anew. refresh() does nothing then.
     [[nodiscard]] bool isOutdated() const;
