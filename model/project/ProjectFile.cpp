@@ -9,6 +9,7 @@
 #include "model/project/AssetPaths.h"
 #include "model/project/ProjectReader.h"
 #include "model/project/ProjectWriter.h"
+#include "model/project/TakeFiles.h"
 #include "model/project/WholeFile.h"
 
 namespace crowd::model {
@@ -40,6 +41,10 @@ Result<void> saveProject(const Scene& scene, const QString& path)
     if (!text) {
         return Error{QT_TRANSLATE_NOOP("Messages", "The scene was not saved. %1"),
                      text.error().said};
+    }
+    if (const auto placed = placeTakes(scene, path); !placed) {
+        return Error{QT_TRANSLATE_NOOP("Messages", "The scene was not saved. %1"),
+                     placed.error().said};
     }
     if (const auto saved = writeWholeFile(path, text.value()); !saved) {
         return Error{QT_TRANSLATE_NOOP("Messages",
@@ -83,6 +88,7 @@ Result<Scene> readProject(const QString& path)
     const QString folder = QFileInfo(path).absolutePath();
     changePaths(scene.value(),
                 [&](const std::string& asset) { return absoluteAssetPath(asset, folder); });
+    openTakes(scene.value(), path);
     return scene;
 }
 

@@ -23,6 +23,7 @@
 #include "model/scene/Relation.h"
 #include "model/scene/Stage.h"
 #include "model/scene/State.h"
+#include "model/scene/Take.h"
 #include "model/scene/Timeline.h"
 #include "model/template/Template.h"
 #include "model/view/View.h"
@@ -117,6 +118,7 @@ struct Scene
     RelationTable relations; ///< of people and kinds that are there
     Timeline timeline;       ///< ascending ids
     PlayRange playRange;
+    Takes takes; ///< ascending ids
     SurfaceSettings surface;
     std::uint32_t seed = 1;
     std::uint32_t stepsPerSecond = kStepRates.front(); ///< of a session

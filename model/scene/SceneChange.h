@@ -73,15 +73,19 @@ struct RelationsChanged
 struct TimelineChanged
 {
 };
+/// Kept runs, or which of them is shown.
+struct TakesChanged
+{
+};
 /// Another scene altogether: forget everything.
 struct SceneReplaced
 {
 };
 
-using SceneChange =
-    std::variant<IndividualsAdded, IndividualsRemoved, ColumnsChanged, TemplatesChanged,
-                 StagesChanged, CamerasChanged, LightingChanged, LightsChanged, LooksChanged,
-                 PathsChanged, GroupsChanged, RulesChanged, StatesChanged, FeaturesChanged,
-                 RelationKindsChanged, RelationsChanged, TimelineChanged, SceneReplaced>;
+using SceneChange = std::variant<IndividualsAdded, IndividualsRemoved, ColumnsChanged,
+                                 TemplatesChanged, StagesChanged, CamerasChanged, LightingChanged,
+                                 LightsChanged, LooksChanged, PathsChanged, GroupsChanged,
+                                 RulesChanged, StatesChanged, FeaturesChanged, RelationKindsChanged,
+                                 RelationsChanged, TimelineChanged, TakesChanged, SceneReplaced>;
 
 } // namespace crowd::model

@@ -37,7 +37,8 @@ struct SceneMember
         std::is_same_v<Change, LooksChanged> || std::is_same_v<Change, TimelineChanged>;
     /// Whether files are without it where there is nothing of it.
     static constexpr bool isOptional = isEnvironment || std::is_same_v<Change, StatesChanged> ||
-                                       std::is_same_v<Change, RelationsChanged>;
+                                       std::is_same_v<Change, RelationsChanged> ||
+                                       std::is_same_v<Change, TakesChanged>;
     [[nodiscard]] static const Type& of(const Scene& scene) { return scene.*Pointer; }
     [[nodiscard]] static Type& of(Scene& scene) { return scene.*Pointer; }
 };
@@ -130,6 +131,10 @@ struct Range : SceneMember<&Scene::playRange, TimelineChanged, MemberKind::Value
 {
     static constexpr const char* key = "playRange";
 };
+struct Takes : SceneMember<&Scene::takes, TakesChanged, MemberKind::Value>
+{
+    static constexpr const char* key = "takes";
+};
 
 } // namespace members
 
@@ -139,7 +144,7 @@ using SceneMembers =
                members::Groups, members::Cameras, members::Light, members::Lights, members::Looks,
                members::Tags, members::Rules, members::Numbers, members::Cues, members::Steps,
                members::Surface, members::Features, members::RelationKinds, members::Relations,
-               members::States, members::Timeline, members::Range>;
+               members::States, members::Timeline, members::Range, members::Takes>;
 
 inline constexpr std::size_t kMemberCount = std::tuple_size_v<SceneMembers>;
 

@@ -60,6 +60,7 @@ crowd_add_tests(ROOM model
     tst_StageRays
     tst_States
     tst_StatesFeaturesRelations
+    tst_TakeFiles
     tst_Timeline
     tst_UndoMemory
     tst_WholeFile

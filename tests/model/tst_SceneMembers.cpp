@@ -147,6 +147,16 @@ void alter(members::Relations, SceneEdit& edit)
     edit.relate(std::vector<Relation>{{ids[0], ids[1], 0.5F, 4}});
 }
 
+void alter(members::Takes, SceneEdit& edit)
+{
+    Take take;
+    take.id = 3;
+    take.name = "Rehearsal";
+    take.file = "0123.take";
+    take.isShown = true;
+    edit.set<members::Takes>({take});
+}
+
 void alter(members::States, SceneEdit& edit)
 {
     putState(edit, keepState(edit.scene(), "calm", usualStateColumns(), {}));

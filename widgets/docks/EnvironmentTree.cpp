@@ -73,6 +73,7 @@ void EnvironmentTree::followScene()
                                    [](const model::LightsChanged&) { return false; },
                                    [](const model::LooksChanged&) { return false; },
                                    [](const model::TimelineChanged&) { return false; },
+                                   [](const model::TakesChanged&) { return false; },
                                    [](const model::CamerasChanged&) { return false; },
                                    [](const auto&) { return true; },
                                },
