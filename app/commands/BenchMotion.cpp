@@ -11,6 +11,7 @@
 #include "app/commands/BenchReport.h"
 #include "behavior/session/MotionCache.h"
 #include "behavior/session/MotionReader.h"
+#include "behavior/takes/Retake.h"
 #include "behavior/workload/Workload.h"
 #include "model/base/Random.h"
 
@@ -20,6 +21,8 @@ namespace {
 
 constexpr std::uint64_t kMotionSeed = 1;
 constexpr int kSeeks = 400;
+constexpr std::size_t kRetakenOf = 10;
+constexpr double kRetakeSeconds = 10.0;
 
 /// A share of the values that are smaller; `values` has one at least.
 double quantile(std::vector<double> values, double share)
@@ -44,6 +47,25 @@ std::vector<double> seek(const std::shared_ptr<behavior::MotionCache>& cache)
         times.push_back(isThere ? nowMs() - begin : -1.0);
     }
     return times;
+}
+
+/// How long it takes that every tenth acts again for ten seconds, and all others do what they did;
+/// negative: it cannot be done.
+double retakeSeconds(const behavior::Workload& crowd,
+                     const std::shared_ptr<behavior::MotionCache>& cache)
+{
+    const behavior::MotionCache::Extent kept = cache->extent();
+    behavior::RetakeWish wish;
+    const auto ids = crowd.scene()->population.ids();
+    for (std::size_t i = 0; i < ids.size(); i += kRetakenOf) {
+        wish.people.push_back(ids[i]);
+    }
+    wish.begin = std::max(kept.first, (kept.first + kept.last - kRetakeSeconds) / 2.0);
+    wish.end = wish.begin + kRetakeSeconds;
+    wish.seed = 1;
+    const double begin = nowMs();
+    const auto made = behavior::retake(*crowd.scene(), cache, wish, nullptr);
+    return made ? (nowMs() - begin) / 1000.0 : -1.0;
 }
 
 } // namespace
@@ -85,6 +107,7 @@ int runBenchMotion(const BenchMotionOptions& options)
     report[QStringLiteral("write_percent")] = rounded(100.0 * writeMs / stepMs);
     report[QStringLiteral("seek_ms_p50")] = rounded(quantile(seeks, 0.5));
     report[QStringLiteral("seek_ms_p99")] = rounded(quantile(seeks, 0.99));
+    report[QStringLiteral("retake_seconds")] = rounded(retakeSeconds(crowd, cache));
     printReport(report, options.json);
     return 0;
 }

@@ -47,6 +47,11 @@ public:
             values.ids.empty() ? nullptr
                                : std::make_shared<const OverrideColumn>(std::move(values));
     }
+    /// The same, shared with others that have it.
+    void put(model::ColumnId column, std::shared_ptr<const OverrideColumn> values)
+    {
+        m_columns[static_cast<std::size_t>(column)] = std::move(values);
+    }
     [[nodiscard]] bool isEmpty() const
     {
         return std::ranges::none_of(m_columns, [](const auto& each) { return each != nullptr; });

@@ -27,6 +27,16 @@ float tame(float value, float low, float high, float otherwise)
     return std::isfinite(value) ? std::clamp(value, low, high) : otherwise;
 }
 
+Body bodyOf(const AgentState& state)
+{
+    return {.x = tame(state.position.x, -kFarthest, kFarthest, 0.0F),
+            .z = tame(state.position.y, -kFarthest, kFarthest, 0.0F),
+            .velocityX = tame(state.velocity.x, -kFastest, kFastest, 0.0F),
+            .velocityZ = tame(state.velocity.y, -kFastest, kFastest, 0.0F),
+            .preferredSpeed = tame(state.preferredSpeed, 0.0F, kFastest, 0.0F),
+            .radius = tame(state.radius, 0.01F, kWidest, 0.25F)};
+}
+
 /// To the larger of both: the same in any order.
 void raise(std::atomic<float>& most, float value)
 {
@@ -45,19 +55,33 @@ void CrowdSimulation::setAgents(std::span<const AgentState> agents,
     m_heights.resize(agents.size() + kLanes);
     m_widest = 0.0F;
     for (std::size_t i = 0; i < agents.size(); ++i) {
-        const AgentState& state = agents[i];
-        m_bodies[i] = {.x = tame(state.position.x, -kFarthest, kFarthest, 0.0F),
-                       .z = tame(state.position.y, -kFarthest, kFarthest, 0.0F),
-                       .velocityX = tame(state.velocity.x, -kFastest, kFastest, 0.0F),
-                       .velocityZ = tame(state.velocity.y, -kFastest, kFastest, 0.0F),
-                       .preferredSpeed = tame(state.preferredSpeed, 0.0F, kFastest, 0.0F),
-                       .radius = tame(state.radius, 0.01F, kWidest, 0.25F)};
-        m_heights[i] = tame(state.groundHeight, -kFarthest, kFarthest, 0.0F);
+        m_bodies[i] = bodyOf(agents[i]);
+        m_heights[i] = tame(agents[i].groundHeight, -kFarthest, kFarthest, 0.0F);
         m_widest = std::max(m_widest, m_bodies[i].radius);
     }
     m_longBodies.add(longBodies, m_bodies);
+    m_puppets = 0;
     m_heights.resize(m_bodies.size() + kLanes);
     if (std::max(kWallReach, m_widest + kWallRoom) != m_wallReach) {
+        layOutWalls();
+    }
+}
+
+void CrowdSimulation::setPuppets(std::span<const AgentState> puppets)
+{
+    const std::size_t first = m_bodies.size() - m_puppets;
+    m_puppets = puppets.size();
+    m_bodies.resize(first + m_puppets);
+    m_heights.resize(m_bodies.size() + kLanes);
+    const float widest = m_widest;
+    for (std::size_t i = 0; i < m_puppets; ++i) {
+        Body& body = m_bodies[first + i];
+        body = bodyOf(puppets[i]);
+        body.preferredSpeed = 0.0F;
+        m_heights[first + i] = tame(puppets[i].groundHeight, -kFarthest, kFarthest, 0.0F);
+        m_widest = std::max(m_widest, body.radius);
+    }
+    if (m_widest > widest && std::max(kWallReach, m_widest + kWallRoom) != m_wallReach) {
         layOutWalls();
     }
 }

@@ -40,6 +40,9 @@ public:
     /// Agent i is agents[i]; some of them have long bodies. Values that are no numbers become
     /// harmless ones.
     void setAgents(std::span<const AgentState> agents, std::span<const LongBody> longBodies = {});
+    /// Bodies beside the agents that are where they are put, whatever is near: agents make way for
+    /// them. Before each step anew; setAgents() takes them away.
+    void setPuppets(std::span<const AgentState> puppets);
     void setWalls(std::span<const Wall> walls);
     [[nodiscard]] std::size_t size() const { return m_agents; }
     /// Write where they are turned between steps.
@@ -68,7 +71,8 @@ private:
     void scatter();
 
     std::size_t m_agents = 0;
-    std::vector<Body> m_bodies; ///< agents, then the discs of long bodies
+    std::vector<Body> m_bodies; ///< agents, the discs of long bodies, puppets
+    std::size_t m_puppets = 0;  ///< the last of them
     LongBodies m_longBodies;
     float m_widest = 0.0F;        ///< radius, metres
     std::vector<float> m_heights; ///< and spare ones for a whole block of lanes

@@ -33,7 +33,11 @@ public:
     [[nodiscard]] bool isEmpty() const { return m_bodies.empty(); }
     [[nodiscard]] std::span<LongBody> bodies() { return m_bodies; }
     /// Agent whose body somebody in the crowd is a disc of; below 0 as AgentRows::owner.
-    [[nodiscard]] std::int32_t owner(std::size_t disc) const { return m_owners[disc]; }
+    /// Whoever came later is nobody's disc.
+    [[nodiscard]] std::int32_t owner(std::size_t disc) const
+    {
+        return disc < m_owners.size() ? m_owners[disc] : static_cast<std::int32_t>(disc);
+    }
 
     /// Before a step: discs to where the bodies are.
     void place(std::span<Body> bodies, std::span<float> heights);

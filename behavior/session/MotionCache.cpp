@@ -3,11 +3,12 @@
 
 #include <algorithm>
 
+#include "model/base/Checksum.h"
+
 namespace crowd::behavior {
 
 namespace {
 
-constexpr std::size_t kSteps = 32;       ///< of a piece: a second
 constexpr std::size_t kFrameBytes = 512; ///< of what a step is besides its columns, about
 
 /// All of it but the columns.
@@ -41,7 +42,7 @@ void MotionCache::add(const SessionPosePtr& pose)
     bool isFirst = false;
     {
         const std::scoped_lock lock(m_mutex);
-        isFirst = m_pieces.empty() || m_pieces.back().frames.size() >= kSteps;
+        isFirst = m_pieces.empty() || m_pieces.back().frames.size() >= kPieceSteps;
     }
     PoseWriter::Packed packed = m_writer.packed(*pose, isFirst ? nullptr : m_last.get());
     m_last = pose;
@@ -57,6 +58,50 @@ void MotionCache::add(const SessionPosePtr& pose)
     m_memory += frame.size + kFrameBytes;
     m_pieces.back().frames.push_back(std::move(frame));
     fit();
+}
+
+bool MotionCache::addPiece(const MotionCache& other, std::size_t piece)
+{
+    Piece copy;
+    {
+        const std::scoped_lock lock(other.m_mutex);
+        if (piece >= other.m_pieces.size()) {
+            return false;
+        }
+        copy.frames = other.m_pieces[piece].frames;
+        if (const auto& onDisk = other.m_pieces[piece].onDisk) {
+            auto bytes = other.readPiece(*onDisk);
+            if (!bytes) {
+                return false;
+            }
+            const auto shared =
+                std::make_shared<const std::vector<std::byte>>(std::move(bytes).value());
+            for (Frame& frame : copy.frames) {
+                const auto begin = shared->begin() + static_cast<std::ptrdiff_t>(frame.begin);
+                frame.bytes = std::make_shared<const std::vector<std::byte>>(
+                    begin, begin + static_cast<std::ptrdiff_t>(frame.size));
+                frame.begin = 0;
+            }
+        }
+    }
+    const std::scoped_lock lock(m_mutex);
+    for (const Frame& frame : copy.frames) {
+        m_memory += frame.size + kFrameBytes;
+    }
+    m_pieces.push_back(std::move(copy));
+    fit();
+    return true;
+}
+
+std::vector<std::pair<double, double>> MotionCache::pieces() const
+{
+    const std::scoped_lock lock(m_mutex);
+    std::vector<std::pair<double, double>> times;
+    times.reserve(m_pieces.size());
+    for (const Piece& piece : m_pieces) {
+        times.emplace_back(piece.frames.front().rest->seconds, piece.frames.back().rest->seconds);
+    }
+    return times;
 }
 
 /// Into the budget; under the mutex.
@@ -120,7 +165,7 @@ MotionCache::Extent MotionCache::extent() const
     }
     return {m_pieces.front().frames.front().rest->seconds,
             m_pieces.back().frames.back().rest->seconds,
-            (m_pieces.size() - 1) * kSteps + m_pieces.back().frames.size()};
+            (m_pieces.size() - 1) * kPieceSteps + m_pieces.back().frames.size()};
 }
 
 std::pair<std::uint64_t, std::uint64_t> MotionCache::bytes() const
@@ -135,25 +180,25 @@ std::vector<MotionCache::Frame> MotionCache::framesTo(std::uint64_t number, std:
                                                       Loaded& loaded) const
 {
     const std::scoped_lock lock(m_mutex);
-    if (number / kSteps < m_firstPiece) {
+    if (number / kPieceSteps < m_firstPiece) {
         return {};
     }
-    const Piece& piece = m_pieces[static_cast<std::size_t>(number / kSteps - m_firstPiece)];
-    const bool goesOn = from < number && from / kSteps == number / kSteps;
-    const std::size_t begin = goesOn ? static_cast<std::size_t>(from % kSteps) + 1 : 0;
-    const auto end = static_cast<std::size_t>(number % kSteps) + 1;
+    const Piece& piece = m_pieces[static_cast<std::size_t>(number / kPieceSteps - m_firstPiece)];
+    const bool goesOn = from < number && from / kPieceSteps == number / kPieceSteps;
+    const std::size_t begin = goesOn ? static_cast<std::size_t>(from % kPieceSteps) + 1 : 0;
+    const auto end = static_cast<std::size_t>(number % kPieceSteps) + 1;
     std::vector<Frame> frames(piece.frames.begin() + static_cast<std::ptrdiff_t>(begin),
                               piece.frames.begin() + static_cast<std::ptrdiff_t>(end));
     if (!piece.onDisk) {
         return frames;
     }
-    if (!loaded.bytes || loaded.piece != number / kSteps) {
-        auto bytes = m_file.read(*piece.onDisk);
+    if (!loaded.bytes || loaded.piece != number / kPieceSteps) {
+        auto bytes = readPiece(*piece.onDisk);
         if (!bytes) {
             return {};
         }
         loaded.bytes = std::make_shared<const std::vector<std::byte>>(std::move(bytes).value());
-        loaded.piece = number / kSteps;
+        loaded.piece = number / kPieceSteps;
     }
     for (Frame& frame : frames) {
         frame.bytes = loaded.bytes;
@@ -161,11 +206,28 @@ std::vector<MotionCache::Frame> MotionCache::framesTo(std::uint64_t number, std:
     return frames;
 }
 
-/// A step that cannot be read, with all before it.
+model::Result<std::vector<std::byte>>
+MotionCache::readPiece(const model::SpillFile::Extent& extent) const
+{
+    if (!m_take) {
+        return m_file.read(extent);
+    }
+    auto bytes = m_take->read(extent.offset, extent.size);
+    if (bytes && model::checksumOf(bytes.value()) != extent.checksum) {
+        return model::Error{QT_TRANSLATE_NOOP("Messages", "%1: is damaged."),
+                            m_take->path().toStdString()};
+    }
+    return bytes;
+}
+
+/// A step that cannot be read, with all before it. Of a take that goes on existing nothing is.
 void MotionCache::giveUp(std::uint64_t number)
 {
+    if (m_take) {
+        return;
+    }
     const std::scoped_lock lock(m_mutex);
-    while (!m_pieces.empty() && m_firstPiece <= number / kSteps && m_pieces.size() > 1) {
+    while (!m_pieces.empty() && m_firstPiece <= number / kPieceSteps && m_pieces.size() > 1) {
         dropFirst();
     }
 }
@@ -182,14 +244,14 @@ std::optional<MotionCache::Found> MotionCache::find(double seconds) const
             return each.frames.front().rest->seconds;
         });
     if (piece == m_pieces.begin()) {
-        return Found{m_firstPiece * kSteps, m_pieces.size() == 1 && piece->frames.size() == 1};
+        return Found{m_firstPiece * kPieceSteps, m_pieces.size() == 1 && piece->frames.size() == 1};
     }
     const std::vector<Frame>& frames = std::prev(piece)->frames;
     const auto frame = std::ranges::upper_bound(
         frames, seconds, isEarlier, [](const Frame& each) { return each.rest->seconds; });
     const auto pieces = static_cast<std::uint64_t>(piece - m_pieces.begin()) - 1;
     const auto steps = static_cast<std::uint64_t>(frame - frames.begin()) - 1;
-    return Found{(m_firstPiece + pieces) * kSteps + steps,
+    return Found{(m_firstPiece + pieces) * kPieceSteps + steps,
                  piece == m_pieces.end() && frame == frames.end()};
 }
 

@@ -13,6 +13,7 @@
 #include "behavior/session/PoseBytes.h"
 #include "behavior/session/SessionPose.h"
 #include "model/document/SpillFile.h"
+#include "model/scene/MotionFile.h"
 
 namespace crowd::behavior {
 
@@ -27,14 +28,21 @@ struct MotionBudget
 
 /// The steps of a run, one after the other, to be had again exactly as they were (MotionReader):
 /// compact in memory, then on disk, then no more, the earliest first. One thread adds, any may
-/// read.
+/// read. Those of a kept take (openTake()) are in its file; nobody adds to them.
 class MotionCache
 {
 public:
+    static constexpr std::size_t kPieceSteps = 32; ///< in a row, about a second
+
     explicit MotionCache(const MotionBudget& budget = {});
 
     /// The next step; later than the one before.
     void add(const SessionPosePtr& pose);
+    /// The same steps of another run in a row, as they are packed there: `piece` of it, counted
+    /// from its first. The steps before fill pieces. False: they cannot be read.
+    [[nodiscard]] bool addPiece(const MotionCache& other, std::size_t piece);
+    /// Seconds of the first and the last step of each piece.
+    [[nodiscard]] std::vector<std::pair<double, double>> pieces() const;
 
     struct Extent
     {
@@ -48,6 +56,8 @@ public:
 
 private:
     friend class MotionReader;
+    friend class TakeReading;
+    friend class TakeWriting;
 
     using Bytes = std::shared_ptr<const std::vector<std::byte>>;
     /// A step: the columns as bytes, all else as it was.
@@ -80,6 +90,8 @@ private:
     [[nodiscard]] std::optional<Found> find(double seconds) const;
     [[nodiscard]] std::vector<Frame> framesTo(std::uint64_t number, std::uint64_t from,
                                               Loaded& loaded) const;
+    [[nodiscard]] model::Result<std::vector<std::byte>>
+    readPiece(const model::SpillFile::Extent& extent) const;
     void giveUp(std::uint64_t number);
     void fit();
     void spill(Piece& piece);
@@ -96,6 +108,7 @@ private:
     std::uint64_t m_memory = 0;
     std::uint64_t m_disk = 0;
     model::SpillFile m_file;
+    model::MotionFilePtr m_take; ///< since it was opened; null: of a run
 };
 
 } // namespace crowd::behavior

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "behavior/takes/PoseChecks.h"
+
 namespace crowd::behavior {
 
 SessionPosePtr MotionReader::read(std::uint64_t number)
@@ -29,6 +31,9 @@ SessionPosePtr MotionReader::read(std::uint64_t number)
     }
     auto pose = std::make_shared<SessionPose>(*frames.back().rest);
     columns.fill(*pose);
+    if (m_cache->m_take && !isSound(*pose)) {
+        return nullptr;
+    }
     m_before = std::exchange(m_last, {number, std::move(columns), pose});
     return pose;
 }

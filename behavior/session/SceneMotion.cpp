@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "behavior/surface/WalkSurface.h"
+#include "behavior/takes/TakeFile.h"
 
 namespace crowd::behavior {
 
@@ -28,7 +29,7 @@ SceneMotion::SceneMotion(const model::Scene& scene, const std::atomic<bool>* isC
     : m_scene(scene),
       m_templates(std::make_shared<const std::vector<model::TemplateEntry>>(scene.templates))
 {
-    if (!scene.hasBehaviour()) {
+    if (openShownTake() || !scene.hasBehaviour()) {
         return;
     }
     m_surface = surfaceOf(scene, m_surfaceProblem, isCancelled);
@@ -36,6 +37,26 @@ SceneMotion::SceneMotion(const model::Scene& scene, const std::atomic<bool>* isC
 }
 
 SceneMotion::~SceneMotion() = default;
+
+/// False: there is none, or it cannot be had: then it is as if it were not shown.
+bool SceneMotion::openShownTake()
+{
+    const model::Take* shown = model::shownTake(m_scene.takes);
+    if (shown == nullptr) {
+        return false;
+    }
+    if (!shown->motion) {
+        m_takeProblem = shown->problem;
+        return false;
+    }
+    auto motion = openTake(shown->motion);
+    if (!motion) {
+        m_takeProblem = motion.error().said;
+        return false;
+    }
+    m_take = std::make_unique<MotionReader>(std::move(motion).value());
+    return true;
+}
 
 void SceneMotion::begin()
 {
@@ -52,7 +73,17 @@ model::CrowdFramePtr SceneMotion::at(double seconds, const std::atomic<bool>* is
 {
     model::CrowdFrame frame{m_scene.population, m_templates, seconds};
     frame.hiddenGroups = model::groupsThat(m_scene.groups, &model::Group::isHidden);
-    if (m_session) {
+    if (m_take) {
+        const auto [before, after] = m_take->around(seconds);
+        if (before) {
+            applyPose(*before, *after, frame);
+        } else {
+            m_takeProblem = model::Message(
+                QT_TRANSLATE_NOOP("Messages", "The take \"%1\" cannot be read at %2 s: its file is "
+                                              "damaged. Fetch it from a copy."),
+                model::shownTake(m_scene.takes)->name, seconds);
+        }
+    } else if (m_session) {
         if (seconds < m_before->seconds) {
             begin();
         }
@@ -79,8 +110,10 @@ std::vector<std::string> SceneMotion::problems() const
             problems.push_back(problem.text.english());
         }
     }
-    if (!m_surfaceProblem.empty()) {
-        problems.push_back(m_surfaceProblem.english());
+    for (const model::Message* problem : {&m_surfaceProblem, &m_takeProblem}) {
+        if (!problem->empty()) {
+            problems.push_back(problem->english());
+        }
     }
     return problems;
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "behavior/session/MotionReader.h"
 #include "behavior/session/Session.h"
 
 namespace crowd::behavior {
@@ -19,8 +20,9 @@ surfaceOf(const model::Scene& scene, model::Message& problem,
 /// Times of a scene are asked for up to here, and down to its negative: a week.
 inline constexpr double kMostSceneSeconds = 604'800.0;
 
-/// What a scene looks like at a time, without a window: simulated from 0 where it has behaviour,
-/// else the clips' clock alone. Times that rise are quick; an earlier one begins anew. One thread.
+/// What a scene looks like at a time, without a window: as in the take that it shows, simulated
+/// from 0 where it has behaviour, else the clips' clock alone. Times that rise are quick; an
+/// earlier one begins anew. One thread.
 class SceneMotion
 {
 public:
@@ -39,11 +41,14 @@ public:
 
 private:
     void begin();
+    [[nodiscard]] bool openShownTake();
 
     const model::Scene& m_scene;
     std::shared_ptr<const std::vector<model::TemplateEntry>> m_templates;
     std::shared_ptr<const WalkSurface> m_surface;
     model::Message m_surfaceProblem;
+    model::Message m_takeProblem;
+    std::unique_ptr<MotionReader> m_take; ///< null: none is shown
     std::unique_ptr<Session> m_session;
     SessionPosePtr m_before;
     SessionPosePtr m_after;

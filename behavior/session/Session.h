@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "behavior/crowd/CrowdSimulation.h"
@@ -41,6 +43,13 @@ public:
     [[nodiscard]] std::uint32_t stepsPerSecond() const;
     /// The transport's time at the beginning: only where clips stand depends on it.
     void setStart(double seconds);
+
+    /// Before the first step: people are on the move, as they were from one pose of a run to its
+    /// next. Who is in neither begins at rest.
+    void beginAs(const SessionPose& before, const SessionPose& now);
+    /// Called in each step, when people know where they would like to go and have not gone yet.
+    using Steering = std::function<void(CrowdSimulation& crowd)>;
+    void setSteering(Steering steering) { m_steering = std::move(steering); }
 
     /// The scene was edited: what is another there now is another here from the next step on,
     /// everything else goes on as it is. After poses were kept, where people are in the scene is
@@ -85,6 +94,7 @@ private:
     void warnOfCrowding();
     void performDue();
 
+    Steering m_steering; ///< none: nobody else says where people go
     std::unique_ptr<SessionParts> m_parts;
     std::unique_ptr<SessionRules> m_ruleHost;
 };

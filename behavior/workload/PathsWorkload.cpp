@@ -21,7 +21,21 @@ constexpr float kPlaceRadius = 0.5F * kMesh;
 class PathsWorkload : public Workload
 {
 public:
-    PathsWorkload(const model::Scene& scene, const SessionPlan& plan) : m_session(scene, plan) {}
+    PathsWorkload(const model::Scene& scene, const SessionPlan& plan)
+        : m_scene(scene), m_session(scene, plan)
+    {
+        m_scene.places = plan.places;
+        m_scene.paths = plan.paths;
+        std::vector<model::IndividualId> ids;
+        std::vector<model::PathId> paths;
+        ids.reserve(plan.walkers.size());
+        paths.reserve(plan.walkers.size());
+        for (const SessionPlan::Walker& walker : plan.walkers) {
+            ids.push_back(walker.id);
+            paths.push_back(walker.path);
+        }
+        m_scene.population.setValues<model::PathId>(model::columns::path, ids, paths);
+    }
 
     void steer() override {}
     void step() override
@@ -30,10 +44,12 @@ public:
         m_pose = m_session.pose(); // as for a player
     }
     [[nodiscard]] SessionPosePtr pose() const override { return m_pose; }
+    [[nodiscard]] const model::Scene* scene() const override { return &m_scene; }
     [[nodiscard]] CrowdSimulation& crowd() override { return m_session.crowd(); }
     [[nodiscard]] std::size_t outsideWalls() const override { return 0; }
 
 private:
+    model::Scene m_scene; ///< its people follow the plan's paths
     Session m_session;
     SessionPosePtr m_pose;
 };

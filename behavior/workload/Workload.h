@@ -37,6 +37,8 @@ public:
     }
     /// As a player keeps it after a step; null: no session.
     [[nodiscard]] virtual SessionPosePtr pose() const { return nullptr; }
+    /// What a session of it runs; null: no session.
+    [[nodiscard]] virtual const model::Scene* scene() const { return nullptr; }
     /// How many are outside the walls, where there are walls.
     [[nodiscard]] virtual std::size_t outsideWalls() const = 0;
 

@@ -9,6 +9,7 @@ crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_PlaceRooms
     tst_Problems
     tst_PropertyOverrides
+    tst_Retake
     tst_RuleActions
     tst_RuleAims
     tst_RuleLights
@@ -34,6 +35,7 @@ crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_StateFades
     tst_StrideKernel
     tst_SurfaceTheatre
+    tst_TakeFile
     tst_Validation
     tst_WalkSurface
 )

@@ -128,7 +128,7 @@ void CommandLineTest::jsonIsAloneOnStandardOutput_data()
     QTest::newRow("keeping a run")
         << QStringLiteral("bench motion --count 50 --frames 70")
         << QStringLiteral("count frames frames_kept bytes_per_person_step disk_bytes step_ms "
-                          "write_percent seek_ms_p50 seek_ms_p99");
+                          "write_percent seek_ms_p50 seek_ms_p99 retake_seconds");
     QTest::newRow("scripts") << QStringLiteral("bench python --count 100 --rounds 1")
                              << QStringLiteral("count rounds columns_ratio stroke_ratio");
     QTest::newRow("files") << QStringLiteral("bench io --count 100")
