@@ -38,6 +38,9 @@ void addView(CLI::App& command, RenderOptions& options)
     command.add_option("--camera", options.camera,
                        "Name of a camera of the scene; without it, as the timeline moves it, else "
                        "the first");
+    command.add_option("--take", options.take,
+                       "Move people as in a kept take, by its name; none: as the scene plays. Else "
+                       "as in the take that the scene shows, if any");
     command.add_option("--camera-move", options.cameraMove,
                        "turntable: once around what the camera looks at, over all frames; or a "
                        "JSON file with marks of a timeline that move it");

@@ -19,6 +19,7 @@
 #include "app/pictures/NumberedPictures.h"
 #include "app/pictures/PictureMaker.h"
 #include "behavior/session/SceneMotion.h"
+#include "behavior/takes/TakeFile.h"
 #include "model/project/LocateAssets.h"
 #include "model/rules/MarkFlaws.h"
 
@@ -231,6 +232,47 @@ model::Result<void> writeMovie(ScenePictures& pictures, const RenderPlan& plan,
     return {};
 }
 
+model::Result<void> readable(const model::Take& take)
+{
+    if (!take.motion) {
+        return model::Error{take.problem};
+    }
+    if (const auto opened = behavior::openTake(take.motion); !opened) {
+        return opened.error();
+    }
+    return {};
+}
+
+/// Empty: the one that the scene shows, if any.
+model::Result<void> chooseTake(model::Scene& scene, const std::string& name)
+{
+    const model::Take* shown = model::shownTake(scene.takes);
+    if (name.empty()) {
+        const auto opened = shown != nullptr ? readable(*shown) : model::Result<void>();
+        return opened ? opened
+                      : model::Error{opened.error().message +
+                                     " --take none draws the scene as it plays."};
+    }
+    std::string names;
+    bool isThere = name == "none";
+    for (model::Take& take : scene.takes) {
+        take.isShown = !isThere && take.name == name;
+        isThere = isThere || take.isShown;
+        names += (names.empty() ? "" : ", ") + take.name;
+        if (take.isShown) {
+            if (auto opened = readable(take); !opened) {
+                return opened;
+            }
+        }
+    }
+    if (!isThere) {
+        return model::Error{"There is no take named \"" + name + "\". " +
+                            (names.empty() ? "The scene has none; leave --take away."
+                                           : "The scene has: " + names + ".")};
+    }
+    return {};
+}
+
 } // namespace
 
 int runRender(const RenderOptions& options)
@@ -242,6 +284,9 @@ int runRender(const RenderOptions& options)
     auto scene = loadForPicture(QString::fromStdString(options.scene));
     if (!scene) {
         return fail(scene.error());
+    }
+    if (auto shown = chooseTake(scene.value(), options.take); !shown) {
+        return fail(shown.error(), kBadUsage);
     }
     auto track = chosenCamera(
         {options.camera, options.cameraMove, plan.value().beginSeconds(), plan.value().seconds()},

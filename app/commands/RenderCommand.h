@@ -14,6 +14,7 @@ struct RenderOptions
     std::string output;     ///< with a run of # for the frame number where several are drawn
     std::string camera;     ///< name; empty: as the timeline has it, else the scene's first
     std::string cameraMove; ///< see CameraChoice
+    std::string take;       ///< name, or "none": as the scene plays; empty: as the scene has it
     std::string size = "1280x720";
     double time = 0.0;  ///< seconds of the transport; of frame 0 where several are drawn
     std::string look;   ///< a style, or one of the scene's looks; empty: the camera's, else lit

@@ -145,6 +145,7 @@ using Point3 = std::array<float, 3>;
 [[nodiscard]] glm::vec3 toVector(const Point3& point, const char* name);
 
 using SceneClass = pybind11::class_<ScriptScene, ScenePtr>;
+using SessionClass = pybind11::class_<ScriptSession, std::shared_ptr<ScriptSession>>;
 
 /// For these, or for everybody. Raises where the name is empty, the number none, or somebody dead.
 [[nodiscard]] ScriptEvent eventOf(const ScriptScene& scene, const std::string& name,
@@ -234,6 +235,7 @@ void bindPresets(py::module_& module); ///< after the brushes
 void bindProperties(py::module_& module);
 void bindPictures(py::module_& module, SceneClass& scene); ///< cameras and pictures
 void bindMovies(SceneClass& scene);
+void bindTakes(py::module_& module, SceneClass& scene);
 /// Brushes that scripts bring along; after the brushes.
 void bindScriptBrushes(py::module_& module);
 /// Runs a brush over the dabs of a stroke until there are no more, on this thread. What it raises
@@ -250,6 +252,7 @@ void bindEnvironment(SceneClass& scene); ///< places, paths, rules
 void bindEntries(py::module_& module);
 void bindScene(py::module_& module);
 void bindSession(py::module_& module); ///< after the scene
+void bindTakeKeeping(SessionClass& session);
 
 } // namespace crowd::app
 

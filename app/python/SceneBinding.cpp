@@ -265,6 +265,7 @@ void bindScene(py::module_& module)
     bindPopulation(scene);
     bindPictures(module, scene);
     bindMovies(scene);
+    bindTakes(module, scene);
     bindContents(module, scene);
     bindEnvironment(scene);
     bindStrokes(module, scene);

@@ -68,13 +68,16 @@ Result<Camera> cameraOrFirst(const Scene& scene, const std::optional<Camera>& ca
     return scene.cameras.front().camera;
 }
 
-/// As crowdbrush render has it: simulated up to that time where there is behaviour.
+/// As crowdbrush render has it: as in the take that is shown, else simulated up to that time where
+/// there is behaviour.
 CrowdFramePtr ScriptPictures::frameAt(ScriptScene& script, double seconds, const Patience& patience)
 {
     if (m_motion && m_motion->revision != script.revision()) {
         m_motion.reset();
     }
-    if (!(seconds > 0.0) || !script.scene()->hasBehaviour()) {
+    const std::shared_ptr<const Scene> scene = script.scene();
+    const bool isPlayed = seconds > 0.0 && scene->hasBehaviour();
+    if (!isPlayed && shownTake(scene->takes) == nullptr) {
         return script.onDocument([&] { return script.document().frame(seconds); });
     }
     const ScriptScene::Snapshot now = m_motion ? ScriptScene::Snapshot() : script.snapshot();

@@ -22,7 +22,11 @@ bool standsOnTheSame(const behavior::SurfacePlan& a, const behavior::SurfacePlan
 
 } // namespace
 
-ScriptSession::ScriptSession(std::shared_ptr<ScriptScene> scene) : m_scene(std::move(scene)) {}
+ScriptSession::ScriptSession(std::shared_ptr<ScriptScene> scene, bool isRecorded)
+    : m_scene(std::move(scene)),
+      m_motion(isRecorded ? std::make_shared<behavior::MotionCache>() : nullptr)
+{
+}
 
 ScriptSession::~ScriptSession() = default;
 
@@ -43,6 +47,9 @@ void ScriptSession::follow(const ScriptScene::Snapshot& now, const std::atomic<b
     if (!m_session) {
         m_session = std::make_unique<behavior::Session>(scene);
         m_stepsPerSecond = scene.stepsPerSecond;
+        if (m_motion) {
+            m_motion->add(m_session->pose());
+        }
     } else if (now.change && now.changeRevision >= m_revision) {
         m_session->adopt(scene, *now.change);
     } else {
@@ -68,6 +75,9 @@ void ScriptSession::step()
 {
     const std::scoped_lock lock(m_mutex);
     m_session->step();
+    if (m_motion) {
+        m_motion->add(m_session->pose());
+    }
 }
 
 std::uint64_t ScriptSession::steps() const

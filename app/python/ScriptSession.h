@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/python/ScriptScene.h"
+#include "behavior/session/MotionCache.h"
 #include "behavior/session/Session.h"
 #include "behavior/surface/SurfacePlan.h"
 
@@ -22,8 +23,8 @@ namespace crowd::app {
 class ScriptSession
 {
 public:
-    /// Empty until it followed once.
-    explicit ScriptSession(std::shared_ptr<ScriptScene> scene);
+    /// Empty until it followed once. Recorded: its steps are kept.
+    explicit ScriptSession(std::shared_ptr<ScriptScene> scene, bool isRecorded = false);
     ~ScriptSession();
 
     [[nodiscard]] const std::shared_ptr<ScriptScene>& scene() const { return m_scene; }
@@ -60,6 +61,8 @@ public:
         behavior::SessionPosePtr pose;
     };
     [[nodiscard]] Pose pose() const;
+    /// Its steps, for readers on any thread; null: it does not record.
+    [[nodiscard]] const std::shared_ptr<behavior::MotionCache>& motion() const { return m_motion; }
     /// Where people are in the scene is where they are here.
     void adoptKept(const ScriptScene::Snapshot& kept);
 
@@ -72,6 +75,7 @@ private:
     behavior::SurfacePlan m_plan; ///< of the surface in use
     model::Message m_surfaceProblem;
     std::unique_ptr<behavior::Session> m_session;
+    std::shared_ptr<behavior::MotionCache> m_motion; ///< null: it does not record
 };
 
 } // namespace crowd::app

@@ -30,9 +30,9 @@ ScriptSession& upToDate(ScriptSession& session)
     return session;
 }
 
-std::shared_ptr<ScriptSession> makeSession(const ScenePtr& scene)
+std::shared_ptr<ScriptSession> makeSession(const ScenePtr& scene, bool isRecorded)
 {
-    auto session = std::make_shared<ScriptSession>(scene);
+    auto session = std::make_shared<ScriptSession>(scene, isRecorded);
     upToDate(*session);
     return session;
 }
@@ -153,14 +153,13 @@ py::object pictureNow(ScriptSession& session, int width, int height, const Camer
                      {{look, by, cameraName(camera)}, {focus, fStop}}, call);
 }
 
-using SessionClass = py::class_<ScriptSession, std::shared_ptr<ScriptSession>>;
-
 void bindTime(SessionClass& session)
 {
     session
-        .def(py::init(&makeSession), py::arg("scene"),
+        .def(py::init(&makeSession), py::arg("scene"), py::kw_only(), py::arg("record") = false,
              "Begins where the scene is now. Where there are stages and somebody walks, what can "
-             "be walked on is found first, which takes seconds.")
+             "be walked on is found first, which takes seconds. record: its steps are kept, for "
+             "keep_take.")
         .def_property_readonly(
             "scene", [](const ScriptSession& s) { return s.scene(); }, "That it runs.")
         .def("step", &makeSteps, py::arg("count") = 1,
@@ -271,6 +270,7 @@ void bindSession(py::module_& module)
     bindTime(session);
     bindEvents(session);
     bindPeople(session);
+    bindTakeKeeping(session);
 }
 
 } // namespace crowd::app

@@ -1409,6 +1409,19 @@ class Scene:
         the share that is done, 0 to 1, some times a second; what it raises, as Ctrl+C, ends
         the call, which takes back what it did."""
     @property
+    def takes(self) -> List[Take]:
+        """list of Take: kept runs. Their motion is in files in a folder beside the project."""
+    def show_take(self, name: Optional[str]) -> None:
+        """People move as in that take: in the window, in pictures and movies. None: as the scene
+        plays. Raises Error where there is none, or its motion is not there."""
+    def add_take(self, path: FilePath, name: str, *, id: int = ...) -> Take:
+        """A .take file, of this project or another one, becomes a take of this scene; saving
+        brings it into the project's folder of takes. It moves those who have the same ids."""
+    def rename_take(self, name: str, to: str) -> None:
+        """Raises Error where another one has that name."""
+    def remove_take(self, name: str) -> None:
+        """The file with its motion stays."""
+    @property
     def templates(self) -> List[Template]:
         """Characters to make copies of."""
     def template(self, name: str) -> Template:
@@ -1637,6 +1650,29 @@ class Picture(numpy.ndarray[Any, Any]):
     """A picture: height × width × 4 uint8, red, green, blue, alpha, sRGB, rows from the top."""
     def save_png(self, path: FilePath, transparent: bool = ...) -> None:
         """Writes the picture to a file, whole or not at all; with its alpha where transparent."""
+
+
+class Take:
+    """A run that was kept, to be shown again whatever becomes of paths and rules; as it was when
+    it was asked for."""
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def begin(self) -> float:
+        """Seconds of the clock of its first step."""
+    @property
+    def end(self) -> float:
+        """Seconds of the clock of its last step."""
+    @property
+    def people(self) -> int:
+        """How many it moves."""
+    @property
+    def shown(self) -> bool:
+        """Whether it is seen instead of a run."""
+    @property
+    def problem(self) -> str:
+        """Why its motion is not there; empty: it is."""
 
 
 class Lighting:
@@ -3007,9 +3043,10 @@ class Session:
     """A run of the simulation: people walk, rules fire. Never changes the scene by itself; edits
     of the scene reach it at its next step. The same scene, edits, events and steps give the
     same crowd."""
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, *, record: bool = ...) -> None:
         """Begins where the scene is now. Where there are stages and somebody walks, what can be
-        walked on is found first, which takes seconds."""
+        walked on is found first, which takes seconds. record: its steps are kept, for
+        keep_take."""
     @property
     def scene(self) -> Scene:
         """That it runs."""
@@ -3058,6 +3095,11 @@ class Session:
         people stand or sit another way than before."""
     def render(self, width: int, height: int, *, camera: Union[None, str, Camera] = ..., look: str = ..., by: str = ..., focus: Optional[float] = ..., f_stop: Optional[float] = ...) -> Picture:
         """As Scene.render, but as everybody is after the last step."""
+    def keep_take(self, name: str, *, progress: Optional[Callable[[float], Any]] = ...) -> Take:
+        """What the session has done so far becomes a take of its scene: one undo step. It needs
+        to record (Session(scene, record=True)). Returns the Take. progress: is called with
+        the share that is done, 0 to 1, some times a second; what it raises, as Ctrl+C, ends
+        the call, which takes back what it did."""
 
 
 def properties() -> List[Property]:

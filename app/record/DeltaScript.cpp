@@ -13,6 +13,7 @@
 #include "app/record/RelationScript.h"
 #include "app/record/ScriptText.h"
 #include "app/record/StateScript.h"
+#include "app/record/TakeScript.h"
 #include "model/population/Properties.h"
 #include "model/project/EnvironmentText.h"
 
@@ -384,6 +385,11 @@ std::string deltaScript(const SceneDelta& delta, const QString& undoText, const 
     }
     if (const auto& changed = delta.of<members::States>()) {
         for (const std::string& line : stateLines(changed->before, after)) {
+            text += std::string(kIndent, ' ') + line;
+        }
+    }
+    if (const auto& changed = delta.of<members::Takes>()) {
+        for (const std::string& line : takeLines(changed->before, changed->after)) {
             text += std::string(kIndent, ' ') + line;
         }
     }

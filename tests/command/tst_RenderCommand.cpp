@@ -51,6 +51,8 @@ void RenderCommandTest::drawsOnlyWhatMakesSense_data()
          1, "leave --camera away"},
         {"a move that is not there", "--output %1/a.png --camera-move %1/no.json", 1,
          "give \"turntable\", or a file"},
+        {"a take that is not there", "--output %1/a.png --take Rehearsal", 2,
+         "no take named \"Rehearsal\""},
         {"size 0", "--output %1/a.png --size 0x0", 2, "--size 0x0"},
         {"size of one number", "--output %1/a.png --size 64", 2, "WIDTHxHEIGHT"},
         {"size 100000", "--output %1/a.png --size 100000x100000", 2, "at most 16384"},

@@ -10,6 +10,7 @@
 #include <QtWidgets/QToolButton>
 
 #include "app/console/ConsoleDock.h"
+#include "behavior/takes/TakeFile.h"
 #include "model/brush/IndividualEdits.h"
 #include "model/document/SceneEdit.h"
 #include "model/features/FeatureWriting.h"
@@ -115,6 +116,45 @@ bool hasLeft(Editor& editor)
     const auto now = editor.state().frame()->population.column(model::columns::position);
     const auto then = editor.state().scene().population.column(model::columns::position);
     return glm::distance(now.front(), then.front()) > 2.0F;
+}
+
+/// A step of a run in which two people are there, as a file.
+model::Take takeIn(const QString& folder, model::TakeId id, const char* name, double seconds)
+{
+    behavior::MotionCache run;
+    for (int step = 0; step < 2; ++step) {
+        auto pose = std::make_shared<behavior::SessionPose>();
+        pose->step = static_cast<std::uint64_t>(step);
+        pose->seconds = seconds + step / 30.0;
+        pose->ids = {1, 2};
+        pose->x = pose->y = pose->z = pose->headings = {0.0F, 1.0F};
+        pose->rates = pose->clipSeconds = pose->places = {0.0F, 0.0F};
+        pose->clips = {0, 0};
+        pose->flags = {1, 1};
+        run.add(pose);
+    }
+    model::Take take = behavior::writeTake(run, folder).value();
+    take.id = id;
+    take.name = name;
+    return take;
+}
+
+/// Takes kept, renamed, shown and deleted.
+template<class Edit>
+void recordTakes(const Edit& edit, const QString& folder)
+{
+    using Takes = model::members::Takes;
+    model::Takes all{takeIn(folder, 2, "Try \"one\"", 1.5), takeIn(folder, 5, "Try two", 3.0)};
+    edit("Takes kept", [&](model::SceneEdit& open) { open.set<Takes>(all); });
+    all[0].name = "Rehearsal";
+    all[1].isShown = true;
+    edit("A take shown, another renamed", [&](model::SceneEdit& open) { open.set<Takes>(all); });
+    all.push_back(takeIn(folder, 6, "Third", 8.0));
+    all[1].isShown = false;
+    edit("No take shown", [&](model::SceneEdit& open) { open.set<Takes>(all); });
+    all.erase(all.begin() + 1);
+    all[1].isShown = true;
+    edit("A take deleted", [&](model::SceneEdit& open) { open.set<Takes>(all); });
 }
 
 /// Features made, borne, changed with their bearers, and removed.
@@ -533,6 +573,7 @@ void TestRecording::everyKindOfEditHasItsLines()
         (void)recallState(open, scene.states[1], scene.states[1].columns);
     });
     recordFeatures(edit, scene, two);
+    recordTakes(edit, m_folder.filePath(QStringLiteral("kept.takes")));
     edit("Everybody moved", [&](model::SceneEdit& open) {
         auto all = std::vector(scene.population.ids().begin(), scene.population.ids().end());
         auto rows = scene.population.rows(all);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/python/ScriptScene.h"
+#include "app/python/ScriptSession.h"
+
+/// What scripts do with kept takes; each is a step. Errors name what there is.
+namespace crowd::app {
+
+/// Nothing: the scene as it plays.
+[[nodiscard]] model::Result<void> showTake(ScriptScene& script,
+                                           const std::optional<std::string>& name);
+/// A file with a take's motion becomes a take. `id`: 0: the next one.
+[[nodiscard]] model::Result<model::Take> addTake(ScriptScene& script, const std::string& path,
+                                                 const std::string& name, model::TakeId id);
+[[nodiscard]] model::Result<void> renameTake(ScriptScene& script, const std::string& name,
+                                             const std::string& to);
+[[nodiscard]] model::Result<void> removeTake(ScriptScene& script, const std::string& name);
+/// What a session has recorded becomes a take of its scene. The name is no other's.
+[[nodiscard]] model::Result<model::Take> keepTake(ScriptSession& session, const std::string& name,
+                                                  const model::KeepGoing& goesOn);
+
+} // namespace crowd::app

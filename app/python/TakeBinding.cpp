@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+#include <vector>
+
+#include "app/python/Binding.h"
+#include "app/python/LongCall.h"
+#include "app/python/ScriptTakes.h"
+
+namespace crowd::app {
+
+using namespace model;
+
+namespace {
+
+std::vector<Take> takesOf(const ScenePtr& scene)
+{
+    return scene->scene()->takes;
+}
+
+Take keepGiven(ScriptSession& session, const std::string& name, const LongCall::Listener& progress)
+{
+    LongCall call(progress);
+    auto kept = keepTake(session, name, call.hook());
+    call.raise();
+    return valueOrRaise(std::move(kept));
+}
+
+} // namespace
+
+void bindTakes(py::module_& module, SceneClass& scene)
+{
+    py::class_<Take>(module, "Take",
+                     "A run that was kept, to be shown again whatever becomes of paths and rules; "
+                     "as it was when it was asked for.")
+        .def_readonly("name", &Take::name)
+        .def_readonly("begin", &Take::begin, "Seconds of the clock of its first step.")
+        .def_readonly("end", &Take::end, "Seconds of the clock of its last step.")
+        .def_readonly("people", &Take::people, "How many it moves.")
+        .def_readonly("shown", &Take::isShown, "Whether it is seen instead of a run.")
+        .def_property_readonly(
+            "problem", [](const Take& take) { return take.problem.english(); },
+            "Why its motion is not there; empty: it is.")
+        .def("__repr__", [](const Take& take) {
+            return "<Take \"" + take.name + "\" of " + std::to_string(take.people) + ">";
+        });
+    scene
+        .def_property_readonly("takes", &takesOf,
+                               "list of Take: kept runs. Their motion is in files in a folder "
+                               "beside the project.")
+        .def(
+            "show_take",
+            [](const ScenePtr& self, const std::optional<std::string>& name) {
+                valueOrRaise(showTake(*self, name));
+            },
+            py::arg("name"),
+            "People move as in that take: in the window, in pictures and movies. None: as the "
+            "scene plays. Raises Error where there is none, or its motion is not there.")
+        .def(
+            "add_take",
+            [](const ScenePtr& self, const FilePath& path, const std::string& name, TakeId id) {
+                return valueOrRaise(addTake(*self, path.string(), name, id));
+            },
+            py::arg("path"), py::arg("name"), py::kw_only(), py::arg("id") = TakeId{0},
+            "A .take file, of this project or another one, becomes a take of this scene; saving "
+            "brings it into the project's folder of takes. It moves those who have the same ids.")
+        .def(
+            "rename_take",
+            [](const ScenePtr& self, const std::string& name, const std::string& to) {
+                valueOrRaise(renameTake(*self, name, to));
+            },
+            py::arg("name"), py::arg("to"), "Raises Error where another one has that name.")
+        .def(
+            "remove_take",
+            [](const ScenePtr& self, const std::string& name) {
+                valueOrRaise(removeTake(*self, name));
+            },
+            py::arg("name"), "The file with its motion stays.");
+}
+
+void bindTakeKeeping(SessionClass& session)
+{
+    session.def("keep_take", &keepGiven, py::arg("name"), py::kw_only(),
+                py::arg("progress") = py::none(),
+                "What the session has done so far becomes a take of its scene: one undo step. It "
+                "needs to record (Session(scene, record=True)). Returns the Take. "
+                "" CROWD_PROGRESS_DOC);
+}
+
+} // namespace crowd::app

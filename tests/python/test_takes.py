@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: MIT
+"""Runs that are kept as takes."""
+import os
+import tempfile
+import unittest
+
+import numpy as np
+
+import crowdbrush
+
+CAMERA = crowdbrush.Camera((0, 5, 10), (0, 0, 0))
+
+
+def walkers():
+    """Three people in a row who walk 40 m along X."""
+    scene = crowdbrush.Scene()
+    man = scene.add_template("builtin:templates/man.glb")
+    scene.set_environment({
+        "places": [{"id": 1, "name": "end", "position": [40, 0, 0], "radius": 4}],
+        "paths": [{"id": 1, "name": "way", "kind": "simple", "places": [1]}]})
+    positions = np.stack([np.zeros(3), np.zeros(3), np.arange(3) - 1.5], axis=1)
+    scene.create(template=man, position=positions, path=1, walkSpeed=1.25)
+    return scene
+
+
+class Takes(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = os.path.join(self.folder.name, "walk.crowd")
+        self.scene = walkers()
+        self.scene.save(self.path)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def keep(self, name="First"):
+        session = crowdbrush.Session(self.scene, record=True)
+        session.run(1.0)
+        return session, session.keep_take(name)
+
+    def test_a_session_becomes_a_take(self):
+        session, take = self.keep()
+        self.assertEqual((take.name, take.people, take.begin, take.shown),
+                         ("First", 3, 0.0, False))
+        self.assertAlmostEqual(take.end, 1.0, 2)
+        self.assertEqual([each.name for each in self.scene.takes], ["First"])
+        self.assertEqual(len(os.listdir(os.path.join(self.folder.name, "walk.takes"))), 1)
+        self.assertTrue(self.scene.undo())
+        self.assertEqual(self.scene.takes, [])
+
+    def test_pictures_show_it(self):
+        self.keep()
+        plain = self.scene.render(64, 36, time=0.91, camera=CAMERA).tobytes()
+        self.scene.set_environment({"paths": []})
+        still = self.scene.render(64, 36, time=0.91, camera=CAMERA).tobytes()
+        self.assertNotEqual(still, plain)
+        self.scene.show_take("First")
+        self.assertTrue(self.scene.takes[0].shown)
+        self.assertEqual(self.scene.render(64, 36, time=0.91, camera=CAMERA).tobytes(), plain)
+        self.scene.show_take(None)
+        self.assertEqual(self.scene.render(64, 36, time=0.91, camera=CAMERA).tobytes(), still)
+
+    def test_files_keep_it(self):
+        self.keep()
+        self.scene.show_take("First")
+        self.scene.save()
+        again = crowdbrush.open(self.path)
+        self.assertEqual(again.takes[0].problem, "")
+        self.assertTrue(again.takes[0].shown)
+        for name in os.listdir(os.path.join(self.folder.name, "walk.takes")):
+            with open(os.path.join(self.folder.name, "walk.takes", name), "wb"):
+                pass
+        # One that is no take draws the scene as it plays, and says so.
+        with self.assertRaisesRegex(crowdbrush.Error, "damaged"):
+            broken = crowdbrush.open(self.path)
+            broken.show_take("First")
+            broken.render(64, 36, time=0.5, camera=CAMERA)
+
+    def test_files_come_from_elsewhere(self):
+        self.keep()
+        folder = os.path.join(self.folder.name, "walk.takes")
+        path = os.path.join(folder, os.listdir(folder)[0])
+        other = walkers()
+        take = other.add_take(path, "Theirs", id=7)
+        self.assertEqual((take.name, take.people), ("Theirs", 3))
+        other.rename_take("Theirs", "Ours")
+        with self.assertRaisesRegex(crowdbrush.Error, "already"):
+            other.add_take(path, "Ours")
+        with self.assertRaisesRegex(crowdbrush.Error, "id 7"):
+            other.add_take(path, "More", id=7)
+        with self.assertRaisesRegex(crowdbrush.Error, "ends in .take"):
+            other.add_take(self.path, "More")
+        with self.assertRaises(crowdbrush.Error):
+            other.add_take(path + "n.take", "More")
+        other.save(os.path.join(self.folder.name, "other.crowd"))
+        self.assertEqual(len(os.listdir(os.path.join(self.folder.name, "other.takes"))), 1)
+
+    def test_what_cannot_be(self):
+        session, _ = self.keep()
+        with self.assertRaisesRegex(crowdbrush.Error, "already"):
+            session.keep_take("First")
+        with self.assertRaisesRegex(crowdbrush.Error, "needs a name"):
+            session.keep_take("  ")
+        with self.assertRaisesRegex(crowdbrush.Error, "record=True"):
+            crowdbrush.Session(self.scene).keep_take("Other")
+        for call in (self.scene.show_take, self.scene.remove_take):
+            with self.assertRaisesRegex(crowdbrush.Error, "there are: First"):
+                call("Nobody")
+        self.scene.remove_take("First")
+        self.assertEqual(self.scene.takes, [])
+
+
+if __name__ == "__main__":
+    unittest.main()
