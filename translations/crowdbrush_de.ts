@@ -1075,6 +1075,38 @@
         <source>The view looks through the timeline&apos;s camera, where there is one</source>
         <translation>Die Ansicht blickt durch die Kamera der Zeitleiste, wo es eine gibt</translation>
     </message>
+    <message>
+        <source>Keep Ta&amp;ke</source>
+        <translation>Ta&amp;ke behalten</translation>
+    </message>
+    <message>
+        <source>Keep what has been played, to be shown again as it was</source>
+        <translation>Behält, was gespielt wurde, um es wieder zu zeigen, wie es war</translation>
+    </message>
+    <message>
+        <source>R&amp;etake Selected</source>
+        <translation>Gewählte n&amp;eu spielen lassen</translation>
+    </message>
+    <message>
+        <source>In a take, they do something else in the play range, or from the moment shown on; everybody else does what he did</source>
+        <translation>In einem Take tun sie im Abspielbereich, sonst vom gezeigten Augenblick an, etwas anderes; alle anderen tun, was sie taten</translation>
+    </message>
+    <message>
+        <source>Show Ne&amp;xt Take</source>
+        <translation>Nä&amp;chsten Take zeigen</translation>
+    </message>
+    <message>
+        <source>One take after the other, then the scene as it plays</source>
+        <translation>Ein Take nach dem anderen, dann die Szene, wie sie spielt</translation>
+    </message>
+    <message>
+        <source>Ta&amp;kes</source>
+        <translation>Ta&amp;kes</translation>
+    </message>
+    <message>
+        <source>Runs that were kept: show, compare, take parts again</source>
+        <translation>Behaltene Läufe: zeigen, vergleichen, Teile neu spielen</translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -5773,6 +5805,78 @@
         <source>At %1 seconds the timeline moves the camera twice: only the later mark is seen. Move one of them, or remove it.</source>
         <translation>Bei %1 Sekunden bewegt die Zeitleiste die Kamera zweimal: Nur die spätere Zeitmarke ist zu sehen. Verschieben Sie eine davon, oder entfernen Sie sie.</translation>
     </message>
+    <message>
+        <source>%1: is damaged.</source>
+        <translation>%1: ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>The take &quot;%1&quot; cannot be read at %2 s: its file is damaged. Fetch it from a copy.</source>
+        <translation>Der Take „%1“ lässt sich bei %2 s nicht lesen: Seine Datei ist beschädigt. Holen Sie sie aus einer Kopie.</translation>
+    </message>
+    <message>
+        <source>The take cannot be read: its file is damaged. Fetch it from a copy.</source>
+        <translation>Der Take lässt sich nicht lesen: Seine Datei ist beschädigt. Holen Sie sie aus einer Kopie.</translation>
+    </message>
+    <message>
+        <source>The take is too short to take a part of it again.</source>
+        <translation>Der Take ist zu kurz, um einen Teil davon neu zu spielen.</translation>
+    </message>
+    <message>
+        <source>Nobody is chosen who could be taken again.</source>
+        <translation>Es ist niemand gewählt, der neu spielen könnte.</translation>
+    </message>
+    <message>
+        <source>A stretch of time has a beginning and an end.</source>
+        <translation>Ein Zeitraum hat einen Anfang und ein Ende.</translation>
+    </message>
+    <message>
+        <source>The stretch that is to be taken again lies outside the take, or is empty. Choose another one on the timeline.</source>
+        <translation>Der Zeitraum, der neu gespielt werden soll, liegt außerhalb des Takes oder ist leer. Wählen Sie einen anderen auf der Zeitleiste.</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1: could not be written (%2). The take was not kept; free some room or save the project elsewhere.</source>
+        <translation>%1: konnte nicht geschrieben werden (%2). Der Take wurde nicht behalten; schaffen Sie Platz oder speichern Sie das Projekt anderswo.</translation>
+    </message>
+    <message>
+        <source>%1: is damaged or no take. Keep the take once more, or fetch the file from a copy.</source>
+        <translation>%1: ist beschädigt oder kein Take. Behalten Sie den Take noch einmal, oder holen Sie die Datei aus einer Kopie.</translation>
+    </message>
+    <message>
+        <source>Nothing has been played yet: there is no take to keep. Play first.</source>
+        <translation>Es wurde noch nichts gespielt: Es gibt keinen Take zu behalten. Spielen Sie zuerst ab.</translation>
+    </message>
+    <message>
+        <source>the folder could not be made</source>
+        <translation>der Ordner konnte nicht angelegt werden</translation>
+    </message>
+    <message>
+        <source>%1: is of a newer version of Crowdbrush, or of another kind of machine. Open it there.</source>
+        <translation>%1: ist von einer neueren Version von Crowdbrush oder von einer anderen Art von Rechner. Öffnen Sie sie dort.</translation>
+    </message>
+    <message>
+        <source>The motion of the take &quot;%1&quot; is missing: put its file %2 into the folder %3, or delete the take.</source>
+        <translation>Die Bewegung des Takes „%1“ fehlt: Legen Sie seine Datei %2 in den Ordner %3, oder löschen Sie den Take.</translation>
+    </message>
+    <message>
+        <source>%1: could not be written (%2). The take &quot;%3&quot; would be lost; choose another place or free some room.</source>
+        <translation>%1: konnte nicht geschrieben werden (%2). Der Take „%3“ ginge verloren; wählen Sie einen anderen Ort oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>There are more takes than %1: the others are not opened. Delete some, save and open the project again.</source>
+        <translation>Es gibt mehr als %1 Takes: Die übrigen werden nicht geöffnet. Löschen Sie einige, speichern Sie und öffnen Sie das Projekt erneut.</translation>
+    </message>
+    <message>
+        <source>%1: is not a file; choose a .take file.</source>
+        <translation>%1: ist keine Datei; wählen Sie eine .take-Datei.</translation>
+    </message>
+    <message>
+        <source>%1: is cut off. Keep the take once more, or fetch the file from a copy.</source>
+        <translation>%1: ist abgeschnitten. Behalten Sie den Take noch einmal, oder holen Sie die Datei aus einer Kopie.</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -7977,6 +8081,13 @@
     </message>
 </context>
 <context>
+    <name>ShownTake</name>
+    <message>
+        <source>The take &quot;%1&quot; is shown, and people move as they did in it. Show the scene as it plays to tell them something (panel Takes).</source>
+        <translation>Der Take „%1“ wird gezeigt, und alle bewegen sich wie in ihm. Zeigen Sie die Szene, wie sie spielt, um ihnen etwas zu sagen (Bedienfeld Takes).</translation>
+    </message>
+</context>
+<context>
     <name>StateCommands</name>
     <message>
         <source>“%1”: all of them are like that already</source>
@@ -8097,6 +8208,37 @@
     <message>
         <source>1/%1 s, Finer</source>
         <translation>1/%1 s, feiner</translation>
+    </message>
+</context>
+<context>
+    <name>TakeCommands</name>
+    <message>
+        <source>Another take is still being kept.</source>
+        <translation>Ein anderer Take wird noch behalten.</translation>
+    </message>
+    <message>
+        <source>Nothing has been played yet: press Play first.</source>
+        <translation>Es wurde noch nichts gespielt: Drücken Sie zuerst Abspielen.</translation>
+    </message>
+    <message>
+        <source>Keep what was played as a take and show it: then the selected characters can be taken again.</source>
+        <translation>Behalten Sie das Gespielte als Take und zeigen Sie ihn: Dann können die gewählten Figuren neu spielen.</translation>
+    </message>
+    <message>
+        <source>Select those who are to be taken again.</source>
+        <translation>Wählen Sie aus, wer neu spielen soll.</translation>
+    </message>
+    <message>
+        <source>The scene as it plays. Press Play to run it.</source>
+        <translation>Die Szene, wie sie spielt. Abspielen lässt sie laufen.</translation>
+    </message>
+    <message>
+        <source>The take &quot;%1&quot; is shown.</source>
+        <translation>Der Take „%1“ wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>There are no takes yet: play, then keep what was played.</source>
+        <translation>Es gibt noch keine Takes: Spielen Sie ab und behalten Sie dann das Gespielte.</translation>
     </message>
 </context>
 <context>
@@ -9632,6 +9774,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Too much was edited since it was started: this happens at the latest moment. Stop and play to go back to any moment again.</source>
         <translation>Seit dem Start wurde zu viel geändert: Das geschieht im letzten Augenblick. Halten Sie an und spielen Sie neu, um wieder zu jedem Augenblick zurückzukehren.</translation>
+    </message>
+    <message>
+        <source>as in &quot;%1&quot;</source>
+        <translation>wie in „%1“</translation>
     </message>
 </context>
 <context>
@@ -11973,6 +12119,153 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Colours the ground of the stages where characters can walk</source>
         <translation>Färbt den Boden der Bühnen, wo Figuren gehen können</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::TakeShelf</name>
+    <message>
+        <source>Take %1</source>
+        <translation>Take %1</translation>
+    </message>
+    <message>
+        <source>Keep take &quot;%1&quot;</source>
+        <translation>Take „%1“ behalten</translation>
+    </message>
+    <message numerus="yes">
+        <source>Retake %n character(s)</source>
+        <translation>
+            <numerusform>%n Figur neu spielen</numerusform>
+            <numerusform>%n Figuren neu spielen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are as many takes as there can be. Delete some first.</source>
+        <translation>Es gibt so viele Takes, wie es geben kann. Löschen Sie zuerst einige.</translation>
+    </message>
+    <message>
+        <source>Show take &quot;%1&quot;</source>
+        <translation>Take „%1“ zeigen</translation>
+    </message>
+    <message>
+        <source>Play the scene instead of a take</source>
+        <translation>Die Szene statt eines Takes spielen</translation>
+    </message>
+    <message>
+        <source>Delete take &quot;%1&quot;</source>
+        <translation>Take „%1“ löschen</translation>
+    </message>
+    <message>
+        <source>Rename take to &quot;%1&quot;</source>
+        <translation>Take in „%1“ umbenennen</translation>
+    </message>
+    <message>
+        <source>Another take is called &quot;%1&quot; already.</source>
+        <translation>Ein anderer Take heißt schon „%1“.</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::TakesDock</name>
+    <message>
+        <source>Takes</source>
+        <translation>Takes</translation>
+    </message>
+    <message>
+        <source>Keep what has been played as a take</source>
+        <translation>Das Gespielte als Take behalten</translation>
+    </message>
+    <message>
+        <source>Show the chosen one</source>
+        <translation>Den gewählten zeigen</translation>
+    </message>
+    <message>
+        <source>See the chosen take as ghosts beside what is shown, with how far apart everybody is</source>
+        <translation>Den gewählten Take als Geister neben dem Gezeigten sehen, und wie weit alle auseinander sind</translation>
+    </message>
+    <message>
+        <source>Take the selected characters again, in the play range or else from the moment shown on: everybody else does what he did</source>
+        <translation>Die gewählten Figuren neu spielen lassen, im Abspielbereich, sonst vom gezeigten Augenblick an: Alle anderen tun, was sie taten</translation>
+    </message>
+    <message>
+        <source>Delete the chosen take</source>
+        <translation>Den gewählten Take löschen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is kept.</source>
+        <translation>„%1“ ist behalten.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n character(s)</source>
+        <translation>
+            <numerusform>%n Figur</numerusform>
+            <numerusform>%n Figuren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2. Enter shows it, F2 renames it.</source>
+        <translation>%1, %2. Eingabe zeigt ihn, F2 benennt ihn um.</translation>
+    </message>
+    <message>
+        <source>The scene as it plays</source>
+        <translation>Die Szene, wie sie spielt</translation>
+    </message>
+    <message>
+        <source>Enter shows it.</source>
+        <translation>Eingabe zeigt sie.</translation>
+    </message>
+    <message>
+        <source>The take is being kept: %1 %</source>
+        <translation>Der Take wird behalten: %1 %</translation>
+    </message>
+    <message>
+        <source>Play, then keep what was played. A take can be seen again whatever becomes of paths, rules and marks.</source>
+        <translation>Spielen Sie ab und behalten Sie dann das Gespielte. Einen Take kann man wieder sehen, was immer aus Pfaden, Regeln und Zeitmarken wird.</translation>
+    </message>
+    <message>
+        <source>People move as in the take: what they are told and where they are to go counts for the scene as it plays.</source>
+        <translation>Alle bewegen sich wie im Take: Was man ihnen sagt und wohin sie gehen sollen, gilt für die Szene, wie sie spielt.</translation>
+    </message>
+    <message>
+        <source>At %1 everybody is as in &quot;%2&quot;.</source>
+        <translation>Bei %1 sind alle wie in „%2“.</translation>
+    </message>
+    <message>
+        <source>At %1, %2 of %3 are elsewhere than in &quot;%4&quot;: %5 m on average, %6 m at most.</source>
+        <translation>Bei %1 sind %2 von %3 anderswo als in „%4“: %5 m im Mittel, höchstens %6 m.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n character(s) taken again: &quot;%1&quot;.</source>
+        <translation>
+            <numerusform>%n Figur hat neu gespielt: „%1“.</numerusform>
+            <numerusform>%n Figuren haben neu gespielt: „%1“.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>At the end somebody is brought back over %1 m: choose a longer stretch.</source>
+        <translation>Am Ende wird jemand über %1 m zurückgebracht: Wählen Sie einen längeren Zeitraum.</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Hide Ghosts</source>
+        <translation>Geister ausblenden</translation>
+    </message>
+    <message>
+        <source>See as Ghosts</source>
+        <translation>Als Geister sehen</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
     </message>
 </context>
 <context>

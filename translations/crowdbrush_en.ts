@@ -1075,6 +1075,38 @@
         <source>The view looks through the timeline&apos;s camera, where there is one</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Keep Ta&amp;ke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep what has been played, to be shown again as it was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R&amp;etake Selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In a take, they do something else in the play range, or from the moment shown on; everybody else does what he did</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show Ne&amp;xt Take</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One take after the other, then the scene as it plays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ta&amp;kes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs that were kept: show, compare, take parts again</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -5773,6 +5805,78 @@
         <source>At %1 seconds the timeline moves the camera twice: only the later mark is seen. Move one of them, or remove it.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1: is damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The take &quot;%1&quot; cannot be read at %2 s: its file is damaged. Fetch it from a copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The take cannot be read: its file is damaged. Fetch it from a copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The take is too short to take a part of it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is chosen who could be taken again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A stretch of time has a beginning and an end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stretch that is to be taken again lies outside the take, or is empty. Choose another one on the timeline.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: could not be written (%2). The take was not kept; free some room or save the project elsewhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: is damaged or no take. Keep the take once more, or fetch the file from a copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing has been played yet: there is no take to keep. Play first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder could not be made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: is of a newer version of Crowdbrush, or of another kind of machine. Open it there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motion of the take &quot;%1&quot; is missing: put its file %2 into the folder %3, or delete the take.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: could not be written (%2). The take &quot;%3&quot; would be lost; choose another place or free some room.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are more takes than %1: the others are not opened. Delete some, save and open the project again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: is not a file; choose a .take file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: is cut off. Keep the take once more, or fetch the file from a copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -7977,6 +8081,13 @@
     </message>
 </context>
 <context>
+    <name>ShownTake</name>
+    <message>
+        <source>The take &quot;%1&quot; is shown, and people move as they did in it. Show the scene as it plays to tell them something (panel Takes).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>StateCommands</name>
     <message>
         <source>“%1”: all of them are like that already</source>
@@ -8096,6 +8207,37 @@
     </message>
     <message>
         <source>1/%1 s, Finer</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>TakeCommands</name>
+    <message>
+        <source>Another take is still being kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing has been played yet: press Play first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep what was played as a take and show it: then the selected characters can be taken again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select those who are to be taken again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scene as it plays. Press Play to run it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The take &quot;%1&quot; is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no takes yet: play, then keep what was played.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9624,6 +9766,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Too much was edited since it was started: this happens at the latest moment. Stop and play to go back to any moment again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as in &quot;%1&quot;</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11965,6 +12111,153 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Colours the ground of the stages where characters can walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::TakeShelf</name>
+    <message>
+        <source>Take %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep take &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Retake %n character(s)</source>
+        <translation>
+            <numerusform>Retake %n character</numerusform>
+            <numerusform>Retake %n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are as many takes as there can be. Delete some first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show take &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play the scene instead of a take</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete take &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename take to &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another take is called &quot;%1&quot; already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::TakesDock</name>
+    <message>
+        <source>Takes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep what has been played as a take</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the chosen one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See the chosen take as ghosts beside what is shown, with how far apart everybody is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the selected characters again, in the play range or else from the moment shown on: everybody else does what he did</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the chosen take</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n character(s)</source>
+        <translation>
+            <numerusform>%n character</numerusform>
+            <numerusform>%n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2. Enter shows it, F2 renames it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scene as it plays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter shows it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The take is being kept: %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play, then keep what was played. A take can be seen again whatever becomes of paths, rules and marks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>People move as in the take: what they are told and where they are to go counts for the scene as it plays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At %1 everybody is as in &quot;%2&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At %1, %2 of %3 are elsewhere than in &quot;%4&quot;: %5 m on average, %6 m at most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n character(s) taken again: &quot;%1&quot;.</source>
+        <translation>
+            <numerusform>%n character taken again: &quot;%1&quot;.</numerusform>
+            <numerusform>%n characters taken again: &quot;%1&quot;.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>At the end somebody is brought back over %1 m: choose a longer stretch.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide Ghosts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See as Ghosts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -41,6 +41,7 @@ enum class DockId : std::uint8_t {
     Light,
     Looks,
     Timeline,
+    Takes,
     Console,
     Count
 };

@@ -300,7 +300,7 @@ void MovieController::make(glm::ivec2 view)
     for (const model::NamedCamera& camera : m_state.scene().cameras) {
         offer.cameras << QString::fromStdString(camera.name);
     }
-    if (session.isRunning() && session.liveSeconds() > session.firstSeconds()) {
+    if (session.isPosed() && session.liveSeconds() > session.firstSeconds()) {
         offer.run = TimeSpan{session.firstSeconds(), session.liveSeconds()};
     }
     offer.hasMoves = m_state.director().track().hasMoves();

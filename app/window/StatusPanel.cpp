@@ -131,6 +131,9 @@ void StatusPanel::refreshCounts()
     const std::size_t gone = m_state.session().goneCount();
     const std::size_t all = m_state.scene().population.size();
     QStringList parts{tr("%n characters", nullptr, static_cast<int>(all - std::min(gone, all)))};
+    if (const auto* take = model::findTake(m_state.scene().takes, m_state.session().take())) {
+        parts.prepend(tr("as in \"%1\"").arg(QString::fromStdString(take->name)));
+    }
     if (gone > 0) {
         parts << tr("%n have left", nullptr, static_cast<int>(gone));
     }

@@ -17,6 +17,7 @@
 #include "app/window/ViewSwitch.h"
 #include "widgets/commands/RelationCommands.h"
 #include "widgets/commands/SelectionCommands.h"
+#include "widgets/commands/TakeCommands.h"
 #include "widgets/commands/ViewCommands.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/tools/BrushTool.h"
@@ -328,7 +329,19 @@ const WindowAction kPlayActions[] = {
       QT_TRANSLATE_NOOP("Actions", "Put everybody in the scene where they are now")},
      [](MainWindow& w, bool) { w.state().session().keepPose(); },
      {.inputs = ActionInput::Session,
+      .isEnabled = [](MainWindow& w) { return w.state().session().isPosed(); }}},
+    {{"keep-take", QT_TRANSLATE_NOOP("Actions", "Keep Ta&ke"), "take-add", "Ctrl+Shift+Return",
+      QT_TRANSLATE_NOOP("Actions", "Keep what has been played, to be shown again as it was")},
+     [](MainWindow& w, bool) { widgets::keepTake(w.state()); },
+     {.inputs = ActionInput::Session,
       .isEnabled = [](MainWindow& w) { return w.state().session().isRunning(); }}},
+    {{"retake", QT_TRANSLATE_NOOP("Actions", "R&etake Selected"), "retake", "Ctrl+Alt+J",
+      QT_TRANSLATE_NOOP("Actions", "In a take, they do something else in the play range, or from "
+                                   "the moment shown on; everybody else does what he did")},
+     [](MainWindow& w, bool) { widgets::retakeSelected(w.state()); }},
+    {{"next-take", QT_TRANSLATE_NOOP("Actions", "Show Ne&xt Take"), "takes", "Ctrl+Alt+N",
+      QT_TRANSLATE_NOOP("Actions", "One take after the other, then the scene as it plays")},
+     [](MainWindow& w, bool) { widgets::showNextTake(w.state()); }},
 };
 
 template<DockId id>
@@ -355,6 +368,10 @@ const WindowAction kPanelActions[] = {
       QT_TRANSLATE_NOOP("Actions", "Show the panel of what happens when while it plays"), true},
      &showDock<DockId::Timeline>,
      {.inputs = ActionInput::Window, .isChecked = &isDockShown<DockId::Timeline>}},
+    {{"takes", QT_TRANSLATE_NOOP("Actions", "Ta&kes"), "takes", "Ctrl+Shift+K",
+      QT_TRANSLATE_NOOP("Actions", "Runs that were kept: show, compare, take parts again"), true},
+     &showDock<DockId::Takes>,
+     {.inputs = ActionInput::Window, .isChecked = &isDockShown<DockId::Takes>}},
 };
 
 const WindowAction kScriptActions[] = {
@@ -452,6 +469,9 @@ constexpr const char* kPlayMenu[] = {"play",
                                      "@step-length",
                                      "",
                                      "keep-pose",
+                                     "keep-take",
+                                     "retake",
+                                     "next-take",
                                      "",
                                      "timeline-record",
                                      "mark-add",
@@ -468,7 +488,8 @@ constexpr const char* kPlayMenu[] = {"play",
                                      "range-last",
                                      "",
                                      "rules",
-                                     "timeline"};
+                                     "timeline",
+                                     "takes"};
 constexpr const char* kScriptMenu[] = {"console", "",           "script-record",
                                        "",        "script-run", "script-cancel"};
 constexpr const char* kWindowMenu[] = {"@docks", "", "hide-panels", "reset-layout"};

@@ -13,6 +13,7 @@ crowd_add_tests(ROOM app LINK crowd_app TESTS
     tst_SavePicture
     tst_SceneFiles
     tst_StepMenu
+    tst_Takes
     tst_TimeSlider
     tst_Welcome
 )

@@ -19,5 +19,6 @@
 #include "widgets/docks/SceneDock.h"
 #include "widgets/docks/StatesDock.h"
 #include "widgets/docks/StrokesDock.h"
+#include "widgets/docks/TakesDock.h"
 #include "widgets/docks/TemplatesDock.h"
 #include "widgets/docks/TimelineDock.h"

@@ -10,6 +10,7 @@
 
 #include "model/document/SceneEdit.h"
 #include "widgets/docks/RuleNames.h"
+#include "widgets/state/ShownTake.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
@@ -263,6 +264,9 @@ void RuleCommands::tryRule()
     const auto* trigger = rule != nullptr ? rule->trigger.as<model::triggers::Event>() : nullptr;
     if (trigger == nullptr) {
         m_state.showStatus(tr("Choose a rule that begins with an event to try it."));
+        return;
+    }
+    if (saysThatTakeIsShown(m_state)) {
         return;
     }
     if (!m_state.session().isRunning()) {

@@ -9,6 +9,7 @@
 #include <QtWidgets/QWidget>
 
 #include "widgets/state/SceneChanges.h"
+#include "widgets/state/ShownTake.h"
 
 namespace crowd::widgets {
 
@@ -42,6 +43,9 @@ model::Mark calling(const EditorState& state, const model::Cue& cue)
 
 bool canBegin(EditorState& state, const model::Cue& cue)
 {
+    if (saysThatTakeIsShown(state)) {
+        return false;
+    }
     const bool isPlaying = state.transport().isPlaying();
     if (!state.session().isRunning() && isPlaying && state.session().surfaceProgress() >= 0.0) {
         state.showStatus(CueText::tr("Where characters can walk is still being found: they hear "

@@ -25,6 +25,7 @@
 #include "widgets/state/ScriptBrush.h"
 #include "widgets/state/Selection.h"
 #include "widgets/state/SessionControl.h"
+#include "widgets/state/TakeShelf.h"
 #include "widgets/state/ToolId.h"
 #include "widgets/state/Transport.h"
 
@@ -125,6 +126,8 @@ public:
     [[nodiscard]] SessionControl& session() { return m_session; }
     [[nodiscard]] const SessionControl& session() const { return m_session; }
     [[nodiscard]] CameraDirector& director() { return m_director; }
+    [[nodiscard]] TakeShelf& takes() { return m_takes; }
+    [[nodiscard]] const TakeShelf& takes() const { return m_takes; }
     /// What is shown now: the scene at the transport's time, people where a session has them.
     [[nodiscard]] model::CrowdFramePtr frame() const;
 
@@ -288,6 +291,7 @@ private:
     QString m_motionName;
     CameraMotion m_motion;
     CameraDirector m_director;
+    TakeShelf m_takes;
     glm::vec2 m_viewSize{1280.0F, 720.0F};
     ViewOptions m_options;
     LongWork m_longWork;

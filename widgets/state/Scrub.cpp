@@ -33,7 +33,7 @@ double Scrub::last() const
 void Scrub::show(double seconds)
 {
     // Without behaviour a moment is what it is: nothing has to be played for it.
-    const bool isFree = !m_state.session().isRunning() && !m_state.scene().hasBehaviour();
+    const bool isFree = !m_state.session().isPosed() && !m_state.scene().hasBehaviour();
     const double latest = isFree ? std::max(seconds, last()) : last();
     m_state.transport().setSeconds(std::clamp(seconds, first(), latest));
     if (seconds > latest) {

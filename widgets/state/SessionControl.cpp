@@ -18,6 +18,7 @@
 #include "widgets/state/Invalidation.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/state/SurfaceBuilder.h"
+#include "widgets/state/TakePlayback.h"
 
 namespace crowd::widgets {
 
@@ -124,10 +125,15 @@ void SessionControl::followScene(const model::SceneChange& change)
             m_liveSeconds = m_transport.seconds();
             m_recorder.forget();
             m_firings.clear();
+            m_take.reset();
         });
+    if (isOneOf<model::TakesChanged, model::SceneReplaced>(change)) {
+        followTakes();
+    }
     m_isBehaviourStale = true;
-    const bool isOfNoInterest = isOneOf<model::CamerasChanged, model::LightingChanged,
-                                        model::LooksChanged, model::SceneReplaced>(change);
+    const bool isOfNoInterest =
+        isOneOf<model::CamerasChanged, model::LightingChanged, model::LooksChanged,
+                model::TakesChanged, model::SceneReplaced>(change);
     if (isRunning() && !isOfNoInterest && !m_isKeepingPose) {
         m_hand.start();
         invalidate(change);
@@ -239,7 +245,7 @@ void SessionControl::followWays()
 /// What the scene has no behaviour for, a session is begun for: it lets people change over.
 bool SessionControl::startForRecall()
 {
-    if (!isRunning() && isReady()) {
+    if (!isRunning() && !m_take && isReady()) {
         m_isForRecall = !m_document.scene().hasBehaviour();
         start();
     }
@@ -365,6 +371,92 @@ void SessionControl::endRecall()
     }
 }
 
+model::TakeId SessionControl::take() const
+{
+    return m_take ? m_take->id() : 0;
+}
+
+QString SessionControl::takeProblem() const
+{
+    return m_takeProblem.empty() ? QString() : model::translated(m_takeProblem);
+}
+
+bool SessionControl::isPosed() const
+{
+    return m_take || isRunning();
+}
+
+/// Null: as the scene has people.
+behavior::SessionPosePtr SessionControl::poseAt(double seconds) const
+{
+    if (m_take) {
+        return m_take->poseAt(seconds);
+    }
+    return isRunning() ? m_player->poseAt(seconds) : nullptr;
+}
+
+/// Which take the scene shows now, if any.
+void SessionControl::followTakes()
+{
+    const model::Take* shown = model::shownTake(m_document.scene().takes);
+    if (shown == nullptr || !m_take || !m_take->shows(*shown)) {
+        showTake(shown);
+    }
+}
+
+/// Null: none, so that what can be played begins where the take did.
+void SessionControl::showTake(const model::Take* take)
+{
+    const bool wasShown = m_take != nullptr;
+    const double began = wasShown ? m_take->first() : 0.0;
+    m_take.reset();
+    m_takeProblem = {};
+    if (take != nullptr) {
+        auto opened = TakePlayback::open(*take);
+        if (opened) {
+            drop();
+            m_take = std::move(opened).value();
+            m_startSeconds = m_take->first();
+            m_stepsPerSecond = m_document.scene().stepsPerSecond;
+            const double seconds = m_transport.seconds();
+            m_transport.setSeconds(std::clamp(seconds, m_take->first(), m_take->last()));
+            m_liveSeconds = m_take->last();
+        } else {
+            m_takeProblem = opened.error().said;
+        }
+    }
+    if (wasShown && !m_take) {
+        m_transport.setPlaying(false);
+        m_transport.setSeconds(began);
+        m_liveSeconds = began;
+    }
+    m_frame.reset();
+    Q_EMIT stateChanged();
+}
+
+/// What cannot be read any more is said once.
+void SessionControl::checkTake()
+{
+    if (m_take && m_takeProblem.empty() && !m_take->poseAt(m_transport.seconds())) {
+        m_takeProblem = model::Message(
+            QT_TRANSLATE_NOOP("Messages", "The take cannot be read: its file is damaged. Fetch it "
+                                          "from a copy."));
+        m_frame.reset();
+        Q_EMIT stateChanged();
+    }
+}
+
+/// At its end play begins it, or the range within it, again.
+void SessionControl::beginTakeAgain()
+{
+    const bool begins = m_transport.isPlaying() && !m_wasPlaying;
+    if (m_take && begins && m_transport.seconds() >= m_take->last()) {
+        const model::PlayRange& range = m_document.scene().playRange;
+        const bool isWithin = range.isSet() && range.begin < m_take->last();
+        m_transport.setSeconds(isWithin ? std::max(range.begin, m_take->first()) : m_take->first());
+    }
+}
+
 bool SessionControl::isReady()
 {
     const model::Scene& scene = m_document.scene();
@@ -407,6 +499,12 @@ void SessionControl::takeSurface(const model::Result<SurfacePtr>& built)
         m_player->setSurface(m_surface->current);
     }
     Q_EMIT surfaceChanged();
+}
+
+std::shared_ptr<const behavior::WalkSurface> SessionControl::surface() const
+{
+    const bool isKnown = !m_isSurfaceStale && !m_surface->builder.isBuilding();
+    return isKnown ? m_surface->current : nullptr;
 }
 
 double SessionControl::surfaceProgress() const
@@ -461,10 +559,12 @@ void SessionControl::advance(double realSeconds)
         m_isBehaviourStale = false;
         m_hasBehaviour = m_document.scene().hasBehaviour();
     }
-    if (!isRunning() && m_transport.isPlaying() && m_hasBehaviour && isReady()) {
+    if (!isRunning() && !m_take && m_transport.isPlaying() && m_hasBehaviour && isReady()) {
         start();
     }
+    beginTakeAgain();
     advanceTransport(realSeconds);
+    checkTake();
     if (!isRunning()) {
         m_liveSeconds = std::max(m_liveSeconds, m_transport.seconds());
         return;
@@ -485,16 +585,20 @@ void SessionControl::advanceTransport(double realSeconds)
 {
     const model::PlayRange& range = m_document.scene().playRange;
     const bool isPlaying = m_transport.isPlaying();
-    const bool isThere = range.isSet() && (!isRunning() || m_player->first() < range.end);
+    const bool isThere = range.isSet() && (!isPosed() || firstSeconds() < range.end);
     const bool isPartial = isPlaying && isThere && !m_document.isEditOpen();
     if (isPartial && m_transport.seconds() >= range.end && (range.isLoop || !m_wasPlaying)) {
         beginRange();
     }
     const bool isBefore = m_transport.seconds() < range.end;
     const double end = isPartial && isBefore ? range.end : kNoEnd;
-    m_transport.advance(realSeconds, isRunning() ? std::min(m_player->available(), end) : end);
-    if (isPartial && isBefore && m_transport.seconds() >= range.end && !range.isLoop) {
+    m_transport.advance(realSeconds, isPosed() ? std::min(availableSeconds(), end) : end);
+    const bool isPast = isPartial && isBefore && m_transport.seconds() >= range.end;
+    const bool isOver = m_take && m_transport.seconds() >= m_take->last();
+    if ((isPast && !range.isLoop) || (isOver && isPlaying && !(isThere && range.isLoop))) {
         m_transport.setPlaying(false);
+    } else if (isOver && isPlaying && isThere && range.isLoop) {
+        beginRange(); // it ends within it
     }
     m_wasPlaying = m_transport.isPlaying();
 }
@@ -502,7 +606,7 @@ void SessionControl::advanceTransport(double realSeconds)
 /// The first of it that can be shown.
 void SessionControl::beginRange()
 {
-    const double first = isRunning() ? m_player->first() : 0.0;
+    const double first = isPosed() ? firstSeconds() : 0.0;
     m_transport.setSeconds(std::max(m_document.scene().playRange.begin, first));
 }
 
@@ -514,7 +618,7 @@ void SessionControl::takeFirings()
 void SessionControl::stepOnce()
 {
     m_transport.setPlaying(false);
-    if (!isRunning() && m_document.scene().hasBehaviour() && isReady()) {
+    if (!isRunning() && !m_take && m_document.scene().hasBehaviour() && isReady()) {
         start();
     }
     const double rate = stepRate();
@@ -523,7 +627,8 @@ void SessionControl::stepOnce()
     if (isRunning()) {
         m_player->request(next);
     }
-    m_transport.setSeconds(isRunning() ? next : m_transport.seconds() + 1.0 / rate);
+    const double shown = isPosed() ? next : m_transport.seconds() + 1.0 / rate;
+    m_transport.setSeconds(m_take ? std::min(shown, m_take->last()) : shown);
     m_liveSeconds = std::max(m_liveSeconds, m_transport.seconds());
 }
 
@@ -531,12 +636,12 @@ void SessionControl::stepBack()
 {
     m_transport.setPlaying(false);
     const double rate = stepRate();
-    if (!isRunning()) {
+    if (!isPosed()) {
         m_transport.setSeconds(std::max(0.0, m_transport.seconds() - 1.0 / rate));
         return;
     }
     const double steps = std::ceil((m_transport.seconds() - m_startSeconds) * rate - 1e-6) - 1.0;
-    m_transport.setSeconds(std::max(m_player->first(), m_startSeconds + steps / rate));
+    m_transport.setSeconds(std::max(firstSeconds(), m_startSeconds + steps / rate));
 }
 
 void SessionControl::catchUp()
@@ -548,7 +653,7 @@ void SessionControl::catchUp()
 
 double SessionControl::firstSeconds() const
 {
-    return m_player->first();
+    return m_take ? m_take->first() : m_player->first();
 }
 
 double SessionControl::liveSeconds() const
@@ -568,6 +673,10 @@ void SessionControl::stop()
     m_transport.setPlaying(false);
     m_transport.rewind();
     m_liveSeconds = 0.0;
+    if (m_take) {
+        m_transport.setSeconds(std::max(m_transport.seconds(), m_take->first()));
+        m_liveSeconds = m_take->last();
+    }
     Q_EMIT stateChanged();
 }
 
@@ -587,30 +696,32 @@ void SessionControl::send(const model::EventSettings& event,
 
 void SessionControl::pose(model::CrowdFrame& frame) const
 {
-    if (isRunning()) {
+    if (m_take) {
+        (void)m_take->pose(frame);
+    } else if (isRunning()) {
         m_player->pose(frame);
     }
 }
 
 std::size_t SessionControl::goneCount() const
 {
-    const auto pose = isRunning() ? m_player->poseAt(m_transport.seconds()) : nullptr;
+    const auto pose = poseAt(m_transport.seconds());
     return pose ? pose->gone : 0;
 }
 
 model::CrowdFramePtr SessionControl::frame(double seconds) const
 {
-    if (!isRunning()) {
+    if (!isPosed()) {
         return m_document.frame(seconds);
     }
-    const double available = m_player->available();
+    const double available = availableSeconds();
     if (!m_frame || m_frame->seconds != seconds || m_frameAvailable != available ||
         m_frameRevision != m_document.revision()) {
         model::CrowdFrame frame = *m_document.frame(seconds);
         if (const model::Population* before = peopleBefore(seconds)) {
             frame.population = *before;
         }
-        m_player->pose(frame);
+        pose(frame);
         m_frame = std::make_shared<const model::CrowdFrame>(std::move(frame));
         m_frameAvailable = available;
         m_frameRevision = m_document.revision();
@@ -620,12 +731,12 @@ model::CrowdFramePtr SessionControl::frame(double seconds) const
 
 std::shared_ptr<behavior::MotionCache> SessionControl::motion() const
 {
-    return m_player->motion();
+    return m_take ? m_take->motion() : m_player->motion();
 }
 
 std::vector<model::IndividualId> SessionControl::lit() const
 {
-    const auto pose = isRunning() ? m_player->poseAt(m_transport.seconds()) : nullptr;
+    const auto pose = poseAt(m_transport.seconds());
     return pose ? pose->lit : std::vector<model::IndividualId>();
 }
 
@@ -660,16 +771,16 @@ behavior::SessionTally SessionControl::tally() const
 
 double SessionControl::availableSeconds() const
 {
-    return m_player->available();
+    return m_take ? m_take->last() : m_player->available();
 }
 
 bool SessionControl::keepPose()
 {
-    if (!isRunning()) {
+    if (!isPosed()) {
         return false;
     }
     const model::CrowdFramePtr shown = frame(m_transport.seconds());
-    const behavior::SessionPosePtr pose = m_player->poseAt(m_transport.seconds());
+    const behavior::SessionPosePtr pose = poseAt(m_transport.seconds());
     if (!m_document.isEditOpen()) {
         takeFromHere(); // it goes on from there
     }
@@ -683,21 +794,23 @@ bool SessionControl::keepPose()
     if (outcome == model::EditOutcome::Refused) {
         return false;
     }
-    m_handed = std::make_shared<const model::Scene>(m_document.scene());
-    m_player->adopt(*m_handed, true);
+    if (isRunning()) {
+        m_handed = std::make_shared<const model::Scene>(m_document.scene());
+        m_player->adopt(*m_handed, true);
+    }
     Q_EMIT posesKept(people);
     return outcome == model::EditOutcome::Committed;
 }
 
 model::Scene SessionControl::shownScene() const
 {
-    if (!isRunning()) {
+    if (!isPosed()) {
         return m_document.scene();
     }
     model::SceneDocument scratch;
     scratch.replaceScene(m_document.scene(), {});
     const model::CrowdFramePtr shown = frame(m_transport.seconds());
-    const behavior::SessionPosePtr pose = m_player->poseAt(m_transport.seconds());
+    const behavior::SessionPosePtr pose = poseAt(m_transport.seconds());
     scratch.edit(QString(), [&](model::SceneEdit& edit) {
         (void)behavior::keepPose(edit, shown->population, pose.get());
         behavior::keepClips(edit, shown->population);

@@ -15,6 +15,7 @@
 #include "model/brush/BrushSettings.h"
 #include "model/document/SceneDocument.h"
 #include "model/scene/CrowdFrame.h"
+#include "model/scene/Take.h"
 #include "model/scene/Timeline.h"
 #include "widgets/state/FiringHistory.h"
 #include "widgets/state/MarkRecorder.h"
@@ -24,6 +25,7 @@ namespace crowd::behavior {
 class MotionCache;
 class SessionPlayer;
 class WalkSurface;
+struct SessionPose;
 } // namespace crowd::behavior
 
 namespace crowd::model {
@@ -32,11 +34,14 @@ struct ChangeOver;
 
 namespace crowd::widgets {
 
+class TakePlayback;
+
 /// Play, as the artist knows it: while the scene has behaviour, playing runs a session that starts
 /// from the scene and never writes to it; without, only the clips' clock. Edits reach a running
 /// session at the time that is shown: what it does later is then computed anew, what it did before
-/// stays. What can be walked on is found in the background first. Main thread; document
-/// and transport outlive it.
+/// stays. What can be walked on is found in the background first. Where the scene shows a kept take
+/// there is no run: people move as they did in it. Main thread; document and transport outlive
+/// it.
 class SessionControl : public QObject
 {
     Q_OBJECT
@@ -46,6 +51,12 @@ public:
     ~SessionControl() override;
 
     [[nodiscard]] bool isRunning() const;
+    /// A kept take is shown; 0: none.
+    [[nodiscard]] model::TakeId take() const;
+    /// Why the take that the scene shows is not; empty: it is, or there is none.
+    [[nodiscard]] QString takeProblem() const;
+    /// People are where time has brought them, by a run or in a take.
+    [[nodiscard]] bool isPosed() const;
     /// Real time that has passed since the last frame. At the end of the scene's play range it
     /// begins that again, or pauses; not while a stroke is under way.
     void advance(double realSeconds);
@@ -88,7 +99,8 @@ public:
     /// What is shown at a time of the transport.
     [[nodiscard]] model::CrowdFramePtr frame(double seconds) const;
     void pose(model::CrowdFrame& frame) const;
-    /// All that has been played, for readers on any thread; null: nothing runs.
+    /// All that has been played, or the take that is shown, for readers on any thread; null:
+    /// neither.
     [[nodiscard]] std::shared_ptr<behavior::MotionCache> motion() const;
     /// For whom a rule has just fired; ascending.
     [[nodiscard]] std::vector<model::IndividualId> lit() const;
@@ -106,6 +118,9 @@ public:
     /// Time of the last step that is done, of the transport.
     [[nodiscard]] double availableSeconds() const;
 
+    /// What can be walked on, as far as it is known and of the stages of now; null: open ground, or
+    /// it has not been found yet.
+    [[nodiscard]] std::shared_ptr<const behavior::WalkSurface> surface() const;
     /// Share of the walkable surface that is built; below 0: nothing is being built.
     [[nodiscard]] double surfaceProgress() const;
     /// Polygons of the surface in use; 0: open ground.
@@ -142,6 +157,11 @@ private:
     void handPending();
     [[nodiscard]] bool startForRecall();
     void endRecall();
+    void followTakes();
+    void showTake(const model::Take* take);
+    void beginTakeAgain();
+    void checkTake();
+    [[nodiscard]] std::shared_ptr<const behavior::SessionPose> poseAt(double seconds) const;
     void takeFirings();
     void advanceTransport(double realSeconds);
     void beginRange();
@@ -161,6 +181,8 @@ private:
     Transport& m_transport;
     MarkRecorder m_recorder;
     std::unique_ptr<behavior::SessionPlayer> m_player;
+    std::unique_ptr<TakePlayback> m_take; ///< null: none is shown
+    model::Message m_takeProblem;
     std::unique_ptr<Surface> m_surface;
     model::Message m_surfaceProblem;
     std::vector<behavior::Problem> m_problems;

@@ -21,13 +21,12 @@ float liftOf(std::span<const WorldSeat> seats, SeatId id, const Clip& clip, floa
     return isSeated ? seatLift(clip, found->seat.height, height) : 0.0F;
 }
 
-/// Nothing (no asset) when the template's file is not there.
-render::Ghost ghostOf(const ToolContext& context, const IndividualRows& rows, std::size_t row,
-                      double seconds)
+template<class Rows>
+render::Ghost ghostFrom(const Scene& scene, std::span<const WorldSeat> seats, const Rows& rows,
+                        std::size_t row, double seconds)
 {
     render::Ghost ghost;
-    const TemplateEntry* entry =
-        context.state.scene().findTemplate(rows.column(columns::templateId)[row]);
+    const TemplateEntry* entry = scene.findTemplate(rows.column(columns::templateId)[row]);
     if (entry == nullptr || !entry->asset) {
         return ghost;
     }
@@ -44,8 +43,7 @@ render::Ghost ghostOf(const ToolContext& context, const IndividualRows& rows, st
     ghost.girth = rows.column(columns::girth)[row];
     ghost.phase = shownPhase(shown, rows.column(columns::phase)[row],
                              rows.column(columns::playbackSpeed)[row], seconds);
-    ghost.lift =
-        liftOf(context.queries.seats(), rows.column(columns::seat)[row], shown, ghost.height);
+    ghost.lift = liftOf(seats, rows.column(columns::seat)[row], shown, ghost.height);
     for (int slot = 0; slot < kMaxTintSlots; ++slot) {
         ghost.tints[static_cast<std::size_t>(slot)] = rows.column(columns::tint(slot))[row];
     }
@@ -56,6 +54,12 @@ render::Ghost ghostOf(const ToolContext& context, const IndividualRows& rows, st
 
 } // namespace
 
+render::Ghost ghostOf(const Scene& scene, std::span<const WorldSeat> seats,
+                      const Population& people, std::size_t row, double seconds)
+{
+    return ghostFrom(scene, seats, people, row, seconds);
+}
+
 std::vector<render::Ghost> ghostsAt(const ToolContext& context, const BrushSettings& settings,
                                     std::uint64_t seed, const ToolInput& at)
 {
@@ -63,7 +67,8 @@ std::vector<render::Ghost> ghostsAt(const ToolContext& context, const BrushSetti
         context.state.document(), context.queries.hoverContext(), settings, seed, at.pointer);
     std::vector<render::Ghost> ghosts;
     for (std::size_t row = 0; row < rows.ids.size(); ++row) {
-        ghosts.push_back(ghostOf(context, rows, row, at.pointer.shownSeconds));
+        ghosts.push_back(ghostFrom(context.state.scene(), context.queries.seats(), rows, row,
+                                   at.pointer.shownSeconds));
     }
     return ghosts;
 }

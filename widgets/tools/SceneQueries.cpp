@@ -56,8 +56,10 @@ model::BrushContext SceneQueries::brushContext()
     model::BrushContext context{view(), m_state.keyframes(), stage()};
     context.ground = [&state = m_state] { return state.ground().wait(); };
     SessionControl& session = m_state.session();
-    if (session.isRunning()) {
+    if (session.isPosed()) {
         context.pose = [&session](model::CrowdFrame& frame) { session.pose(frame); };
+    }
+    if (session.isRunning()) {
         context.sendEvent = [&session](const model::EventSettings& event,
                                        std::span<const model::IndividualId> ids) {
             session.send(event, ids);

@@ -121,6 +121,7 @@ void ViewportWidget::connectScene()
     connect(&m_state, &EditorState::lightChosen, this, &ViewportWidget::redraw);
     connect(&m_state, &EditorState::markedPointChanged, this, &ViewportWidget::redraw);
     connect(&m_state.director(), &CameraDirector::changed, this, &ViewportWidget::redraw);
+    connect(&m_state.takes(), &TakeShelf::ghostChanged, this, &ViewportWidget::redraw);
     connect(&m_state.transport(), &Transport::stateChanged, this, &ViewportWidget::redraw);
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
@@ -229,9 +230,18 @@ void ViewportWidget::makeLines(const model::CrowdFrame& frame)
     m_lines.assign(m_arcs.lines().begin(), m_arcs.lines().end());
     m_lines.insert(m_lines.end(), m_lightMarks.lines().begin(), m_lightMarks.lines().end());
     m_lines.insert(m_lines.end(), m_cameraMarks.lines().begin(), m_cameraMarks.lines().end());
+    m_lines.insert(m_lines.end(), m_takeGhosts.lines().begin(), m_takeGhosts.lines().end());
     if (m_state.markedPoint()) {
         addPointMark(m_lines, *m_state.markedPoint(), m_state.camera());
     }
+}
+
+/// Who would be created, and people as they are in another take.
+void ViewportWidget::makeGhosts()
+{
+    m_takeGhosts.make(m_state, m_tools.queries().seats(), *m_state.frame());
+    m_ghosts = m_tools.picture().ghosts;
+    m_ghosts.insert(m_ghosts.end(), m_takeGhosts.ghosts().begin(), m_takeGhosts.ghosts().end());
 }
 
 render::RenderInput ViewportWidget::renderInput()
@@ -264,7 +274,8 @@ render::RenderInput ViewportWidget::renderInput()
         input.selectionColor = kWashColor;
     }
     input.hovered = m_tools.picture().hovered;
-    input.ghosts = m_tools.picture().ghosts;
+    makeGhosts();
+    input.ghosts = m_ghosts;
     m_marks.make(m_state, *input.frame);
     const bool isCreating = m_state.tool() == ToolId::BrushCreate;
     if (options.showSeats && isCreating && m_state.isSeatGridOn()) {

@@ -19,6 +19,7 @@
 #include "widgets/viewport/PeopleMarks.h"
 #include "widgets/viewport/PropertyLegend.h"
 #include "widgets/viewport/RelationArcs.h"
+#include "widgets/viewport/TakeGhosts.h"
 #include "widgets/viewport/ViewportInput.h"
 #include "widgets/viewport/WalkableDrawing.h"
 
@@ -103,6 +104,7 @@ private:
     void renewTexts();
     [[nodiscard]] render::RenderInput renderInput();
     void makeLines(const model::CrowdFrame& frame);
+    void makeGhosts();
 
     EditorState& m_state;
     std::unique_ptr<render::Renderer> m_renderer;
@@ -138,6 +140,8 @@ private:
     RelationArcs m_arcs;
     LightMarks m_lightMarks;
     CameraMarks m_cameraMarks;
+    TakeGhosts m_takeGhosts;
+    std::vector<render::Ghost> m_ghosts;      ///< of the tool and of a take
     std::vector<render::OverlayLine> m_lines; ///< of both
     BrushCursor m_brushCursor;
     QTimer m_handRests;            ///< runs from a movement of the brush until it counts as still

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include <QtCore/QDir>
+#include <QtCore/QFileInfo>
+#include <QtGui/QUndoStack>
+#include <QtTest/QTest>
+#include <QtWidgets/QDockWidget>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QListWidget>
+#include <QtWidgets/QToolButton>
+
+#include "app/window/DockLayout.h"
+#include "tests/app/SceneWindow.h"
+#include "tests/program/WindowTest.h"
+#include "widgets/state/Cues.h"
+#include "widgets/state/SessionControl.h"
+#include "widgets/state/TakeShelf.h"
+
+using namespace crowd;
+using namespace crowd::testing;
+
+/// Runs that are kept, shown again and compared, in the real window.
+class TestTakes : public QObject, private SceneWindow
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { prepare("tst_Takes"); }
+    void init() { begin(); }
+    void cleanup();
+    void aRunIsKeptAndShownAgain();
+    void itPlaysToItsEndAndFromItsBeginning();
+    void nobodyIsToldAnythingMeanwhile();
+    void anotherIsSeenAsGhosts();
+    void someActAgainAndOthersDoWhatTheyDid();
+    void thePanelShowsRenamesAndRemoves();
+    void itIsThereAfterSavingAndOpening();
+    void oneWhoseFileIsGoneSaysSo();
+
+private:
+    [[nodiscard]] widgets::EditorState& state() const { return m_window->state(); }
+    [[nodiscard]] widgets::Transport& transport() const { return state().transport(); }
+    [[nodiscard]] widgets::SessionControl& session() const { return state().session(); }
+    [[nodiscard]] const model::Takes& takes() const { return document().scene().takes; }
+    [[nodiscard]] float xAt(double seconds, std::size_t row = 0) const;
+    void press(Qt::Key key) const;
+    template<class Widget>
+    [[nodiscard]] Widget* child(const char* name) const
+    {
+        return m_window->findChild<Widget*>(QString::fromLatin1(name));
+    }
+    /// Somebody walks to the right for a second and a half.
+    void play(std::size_t people = 1);
+    void keep();
+    /// From now on he would walk the other way.
+    void turnPath();
+    void showPanel();
+};
+
+void TestTakes::cleanup()
+{
+    document().undoStack().setClean();
+    m_window.reset();
+}
+
+float TestTakes::xAt(double seconds, std::size_t row) const
+{
+    transport().setSeconds(seconds);
+    return state().frame()->population.column(model::columns::position)[row].x;
+}
+
+void TestTakes::press(Qt::Key key) const
+{
+    QTest::keyClick(m_window.get(), key, Qt::ControlModifier | Qt::AltModifier);
+}
+
+void TestTakes::play(std::size_t people)
+{
+    model::Scene scene = plainScene(people);
+    scene.places = {{1, "here", {0.0F, 0.0F, 0.0F}, 1.0F}, {2, "there", {60.0F, 0.0F, 0.0F}, 1.0F}};
+    scene.paths = {{1, "way", model::PathKind::Simple, {1, 2}}};
+    scene.cues = {{1, "Go", "go", 1.0F, ""}};
+    const auto ids = scene.population.ids();
+    const model::PathId path = 1;
+    scene.population.setValues<model::PathId>(
+        model::columns::path, std::vector(ids.begin(), ids.end()), std::vector(ids.size(), path));
+    openScene(scene, QStringLiteral("walk.crowd"));
+    session().stop();
+    transport().setSpeed(4.0);
+    transport().setPlaying(true);
+    QTRY_VERIFY_WITH_TIMEOUT(session().isRunning() && transport().seconds() > 1.5, kPatienceMs);
+    transport().setPlaying(false);
+}
+
+void TestTakes::keep()
+{
+    const std::size_t before = takes().size();
+    QTest::keyClick(m_window.get(), Qt::Key_Return, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(takes().size(), before + 1, kPatienceMs);
+}
+
+void TestTakes::turnPath()
+{
+    document().edit(QStringLiteral("Turn"), [](model::SceneEdit& edit) {
+        model::Place there = *edit.scene().findPlace(2);
+        there.position.x = -60.0F;
+        edit.changePlace(there);
+    });
+}
+
+void TestTakes::showPanel()
+{
+    QDockWidget* dock = m_window->dockLayout().dock(app::DockId::Takes);
+    dock->show();
+    dock->raise();
+    QTRY_VERIFY(child<QListWidget>("takesList")->isVisible());
+}
+
+void TestTakes::aRunIsKeptAndShownAgain()
+{
+    play();
+    const float early = xAt(0.5);
+    const float later = xAt(1.2);
+    QVERIFY(later > early + 0.3F);
+    transport().setSeconds(session().liveSeconds());
+    keep();
+    const model::Take take = takes().front();
+    QCOMPARE(take.name, std::string("Take 1"));
+    QCOMPARE(take.people, 1);
+    QVERIFY(take.end > 1.2 && !take.isShown);
+    QVERIFY(QFileInfo::exists(pathOf(QStringLiteral("walk.takes/")) +
+                              QString::fromStdString(take.file)));
+    QVERIFY(session().isRunning()); // keeping is no more than that
+
+    turnPath();
+    session().stop();
+    press(Qt::Key_N);
+    QCOMPARE(session().take(), take.id);
+    QVERIFY(!session().isRunning() && session().isPosed());
+    QCOMPARE(xAt(0.5), early);
+    QCOMPARE(xAt(1.2), later);
+    press(Qt::Key_N); // after the last one the scene as it plays
+    QCOMPARE(session().take(), model::TakeId{0});
+    QVERIFY(!session().isPosed());
+    document().undoStack().undo();
+    QCOMPARE(session().take(), take.id);
+    QCOMPARE(xAt(0.5), early);
+    document().undoStack().undo(); // it is shown no more
+    QCOMPARE(session().take(), model::TakeId{0});
+}
+
+void TestTakes::itPlaysToItsEndAndFromItsBeginning()
+{
+    play();
+    keep();
+    press(Qt::Key_N);
+    const double end = takes().front().end;
+    transport().setSpeed(8.0);
+    transport().setSeconds(end - 0.5);
+    transport().setPlaying(true);
+    QTRY_VERIFY_WITH_TIMEOUT(!transport().isPlaying(), kPatienceMs);
+    QCOMPARE(transport().seconds(), end);
+    transport().setSpeed(0.1);
+    transport().setPlaying(true);
+    QTRY_VERIFY_WITH_TIMEOUT(transport().seconds() < end / 2.0, kPatienceMs);
+    QVERIFY(transport().isPlaying());
+    m_window->actions().action("stop")->trigger();
+    QCOMPARE(transport().seconds(), takes().front().begin);
+    QCOMPARE(session().take(), takes().front().id); // it is still what is shown
+    m_window->actions().action("step")->trigger();
+    QVERIFY(transport().seconds() > takes().front().begin && transport().seconds() < 0.1);
+    m_window->actions().action("step-back")->trigger();
+    QCOMPARE(transport().seconds(), takes().front().begin);
+    // A loop within it.
+    document().edit(QStringLiteral("Loop"), [](model::SceneEdit& edit) {
+        edit.set<model::members::Range>({.begin = 0.5, .end = 0.9, .isLoop = true});
+    });
+    transport().setSpeed(1.0);
+    transport().setSeconds(0.85);
+    transport().setPlaying(true);
+    QTRY_VERIFY_WITH_TIMEOUT(transport().seconds() < 0.7, kPatienceMs);
+    QVERIFY(transport().seconds() >= 0.5 && transport().isPlaying());
+}
+
+void TestTakes::nobodyIsToldAnythingMeanwhile()
+{
+    play();
+    keep();
+    press(Qt::Key_N);
+    QString said;
+    connect(&state(), &widgets::EditorState::statusMessage, this,
+            [&said](const QString& text) { said = text; });
+    transport().setSeconds(0.2);
+    transport().setPlaying(true);
+    widgets::sendCue(state(), document().scene().cues.front());
+    QVERIFY2(said.contains(QStringLiteral("Take 1")), qPrintable(said));
+    QVERIFY(!session().isRunning());
+    // Nor is another take made of a take.
+    QVERIFY(!m_window->actions().action("keep-take")->isEnabled());
+    // How people look is the scene's all the same.
+    QVERIFY(session().keepPose());
+    transport().setPlaying(false);
+}
+
+void TestTakes::anotherIsSeenAsGhosts()
+{
+    play();
+    transport().setSeconds(session().liveSeconds());
+    keep();
+    turnPath();
+    session().stop();
+    transport().setPlaying(true);
+    QTRY_VERIFY_WITH_TIMEOUT(session().isRunning() && transport().seconds() > 1.3, kPatienceMs);
+    transport().setPlaying(false);
+    showPanel();
+    auto* list = child<QListWidget>("takesList");
+    QCOMPARE(list->count(), 2);
+    list->setCurrentRow(1);
+    child<QToolButton>("ghostTake")->click();
+    QCOMPARE(state().takes().ghost(), takes().front().id);
+    const double now = transport().seconds();
+    const auto other = state().takes().ghostFrame(now);
+    QVERIFY(other);
+    const auto found = widgets::differenceOf(*session().frame(now), *other);
+    QCOMPARE(found.rows.size(), std::size_t{1});
+    QVERIFY(found.most > 1.0F);
+    auto* figures = child<QLabel>("takesDifference");
+    QVERIFY(figures->isVisible());
+    QVERIFY2(figures->text().contains(QStringLiteral("1 of 1")), qPrintable(figures->text()));
+    // At its beginning both are the same.
+    transport().setSeconds(session().firstSeconds());
+    QTRY_VERIFY(figures->text().contains(QStringLiteral("everybody is as in")));
+    child<QToolButton>("ghostTake")->click();
+    QCOMPARE(state().takes().ghost(), model::TakeId{0});
+    QVERIFY(!figures->isVisible());
+}
+
+void TestTakes::someActAgainAndOthersDoWhatTheyDid()
+{
+    play(3);
+    keep();
+    showPanel();
+    auto* button = child<QToolButton>("retake");
+    state().selection().set(
+        std::vector<model::IndividualId>{document().scene().population.ids()[1]});
+    QVERIFY(!button->isEnabled()); // of a take alone
+    press(Qt::Key_N);
+    QVERIFY(button->isEnabled());
+    const float before = xAt(1.4, 1);
+    const float other = xAt(1.4, 2);
+    turnPath(); // who acts again goes the other way
+    transport().setSeconds(0.4);
+    const float begun = xAt(0.4, 1);
+    QString said;
+    connect(&state(), &widgets::EditorState::statusMessage, this,
+            [&said](const QString& text) { said = text; });
+    press(Qt::Key_J);
+    QTRY_COMPARE_WITH_TIMEOUT(takes().size(), std::size_t{2}, kPatienceMs);
+    QCOMPARE(session().take(), takes().back().id);
+    QVERIFY2(said.contains(QStringLiteral("1 character")), qPrintable(said));
+    QCOMPARE(xAt(0.4, 1), begun);
+    QCOMPARE(xAt(1.4, 2), other);
+    QVERIFY(xAt(1.4, 1) < before - 0.2F);
+    document().undoStack().undo();
+    QCOMPARE(session().take(), takes().front().id);
+    QCOMPARE(xAt(1.4, 1), before);
+    // Nobody selected: it says whom it wants.
+    state().selection().set({});
+    press(Qt::Key_J);
+    QVERIFY2(said.contains(QStringLiteral("Select")), qPrintable(said));
+}
+
+void TestTakes::thePanelShowsRenamesAndRemoves()
+{
+    play();
+    showPanel();
+    child<QToolButton>("keepTake")->click();
+    QTRY_COMPARE_WITH_TIMEOUT(takes().size(), std::size_t{1}, kPatienceMs);
+    auto* list = child<QListWidget>("takesList");
+    QCOMPARE(list->count(), 2);
+    list->scrollToItem(list->item(1));
+    const QPoint row = list->visualItemRect(list->item(1)).center();
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, row);
+    QTest::keyClick(list, Qt::Key_Return);
+    QCOMPARE(session().take(), takes().front().id);
+    QVERIFY(list->item(1)->font().bold() && !list->item(0)->font().bold());
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_F2);
+    QLineEdit* field = nullptr;
+    QTRY_VERIFY((field = list->findChild<QLineEdit*>()) != nullptr);
+    QTest::keyClicks(field, QStringLiteral("Rehearsal"));
+    QTest::keyClick(field, Qt::Key_Return);
+    QTRY_COMPARE(takes().front().name, std::string("Rehearsal"));
+    QTRY_COMPARE(list->item(1)->text(), QStringLiteral("Rehearsal"));
+    list->setFocus();
+    list->setCurrentRow(1);
+    QTest::keyClick(list, Qt::Key_Delete);
+    QVERIFY(takes().empty());
+    QCOMPARE(session().take(), model::TakeId{0});
+    document().undoStack().undo();
+    QCOMPARE(takes().size(), std::size_t{1});
+    QCOMPARE(session().take(), takes().front().id);
+}
+
+void TestTakes::itIsThereAfterSavingAndOpening()
+{
+    play();
+    const float there = xAt(1.0);
+    transport().setSeconds(session().liveSeconds());
+    keep();
+    press(Qt::Key_N);
+    model::Scene copy = document().scene(); // as it would be saved elsewhere
+    document().undoStack().setClean();
+    openScene(copy, QStringLiteral("other.crowd"));
+    QVERIFY(QFileInfo::exists(pathOf(QStringLiteral("other.takes"))));
+    QCOMPARE(session().take(), takes().front().id);
+    QCOMPARE(xAt(1.0), there);
+}
+
+void TestTakes::oneWhoseFileIsGoneSaysSo()
+{
+    play();
+    keep();
+    press(Qt::Key_N);
+    model::Scene copy = document().scene();
+    document().undoStack().setClean();
+    copy.takes.front().motion.reset();
+    QVERIFY(QDir(pathOf(QStringLiteral("walk.takes"))).removeRecursively());
+    openScene(copy, QStringLiteral("lost.crowd"));
+    QCOMPARE(session().take(), model::TakeId{0});
+    QVERIFY(session().takeProblem().contains(QStringLiteral("Take 1")));
+    showPanel();
+    QVERIFY(child<QLabel>("takesNote")->text().contains(QStringLiteral("Take 1")));
+    QVERIFY(!child<QToolButton>("ghostTake")->isEnabled());
+    // The scene plays as if it were not shown.
+    transport().setPlaying(true);
+    QTRY_VERIFY_WITH_TIMEOUT(session().isRunning(), kPatienceMs);
+}
+
+CROWD_WINDOW_TEST(TestTakes)
+#include "tst_Takes.moc"
