@@ -166,6 +166,15 @@ void SessionPlayer::request(double seconds)
     m_run->wake.notify_all();
 }
 
+bool SessionPlayer::isBehind() const
+{
+    if (!m_run) {
+        return false;
+    }
+    const std::scoped_lock lock(m_run->mutex);
+    return m_run->poses.back()->seconds + kTimeSlack < m_run->wanted;
+}
+
 double SessionPlayer::available() const
 {
     if (!m_run) {

@@ -62,6 +62,8 @@ public:
 
     /// Steps are wanted up to this time, seconds.
     void request(double seconds);
+    /// A step is wanted that is not done: what is told now is heard some step after the last.
+    [[nodiscard]] bool isBehind() const;
     /// Time of the last step that is done.
     [[nodiscard]] double available() const;
     /// Time of the earliest step that is known still. All are kept as long as they fit a budget of

@@ -29,6 +29,7 @@ private Q_SLOTS:
     void whatIsDoneHappensAtTheMomentShown();
     void itIsTakenFromThere();
     void whatIsDoneWhileNothingPlaysIsSeen();
+    void whatIsDoneBeforeStepsAreThereIsSeen();
     void clipsAloneAreSeenAgain();
 
 private:
@@ -198,6 +199,20 @@ void TestTimeSlider::whatIsDoneWhileNothingPlaysIsSeen()
     document().undoStack().undo();
     QTRY_VERIFY_WITH_TIMEOUT(shownX() > -1.0F, crowd::testing::kPatienceMs);
     QVERIFY(!transport().isPlaying());
+}
+
+/// Paused while steps are wanted that are not done: it happens at the last that is shown.
+void TestTimeSlider::whatIsDoneBeforeStepsAreThereIsSeen()
+{
+    play();
+    const float there = shownX();
+    transport().setPlaying(true);
+    session().advance(0.9);
+    transport().setPlaying(false);
+    const double shown = transport().seconds();
+    crowd::testing::moveEverybody(document(), -30.0F);
+    QTRY_VERIFY_WITH_TIMEOUT(shownX() < there - 20.0F, crowd::testing::kPatienceMs);
+    QVERIFY(std::abs(transport().seconds() - shown) < 0.1);
 }
 
 /// Where nobody goes anywhere there is no run; the clock is the same.

@@ -160,10 +160,12 @@ void SessionControl::invalidate(const model::SceneChange& change)
 void SessionControl::goToEdit()
 {
     const double ahead = m_player->available() - m_transport.seconds();
-    const bool isSeen = m_transport.isPlaying() || ahead <= 0.0;
-    if (m_transport.seconds() < m_liveSeconds || (!isSeen && ahead > kLongestSkip)) {
+    const bool isGoingOn = m_player->isBehind(); // to steps after those that are done
+    const bool isSeen = m_transport.isPlaying() || (ahead <= 0.0 && !isGoingOn);
+    const bool isFar = ahead > kLongestSkip || isGoingOn;
+    if (m_transport.seconds() < m_liveSeconds || (!isSeen && isFar)) {
         m_liveSeconds = std::max(m_liveSeconds, m_player->available());
-        takeFromHere();
+        goOnFromHere();
     } else if (!isSeen) {
         m_transport.setSeconds(m_player->available());
         m_liveSeconds = m_transport.seconds();
@@ -189,11 +191,15 @@ void SessionControl::invalidateTimeline()
 
 void SessionControl::takeFromHere()
 {
-    const double shown = m_transport.seconds();
-    if (!isRunning() || shown >= m_liveSeconds) {
-        return;
+    if (isRunning() && m_transport.seconds() < m_liveSeconds) {
+        goOnFromHere();
     }
-    if (!m_player->takeFrom(shown)) {
+}
+
+/// From the time that is shown, also from the latest.
+void SessionControl::goOnFromHere()
+{
+    if (!m_player->takeFrom(m_transport.seconds())) {
         catchUp();
         Q_EMIT takeRefused();
         return;

@@ -151,6 +151,7 @@ private:
     void invalidate(const model::SceneChange& change);
     void invalidateTimeline();
     void goToEdit();
+    void goOnFromHere();
     void forgetPlayed();
     void changeOver(const model::ChangeOver& change);
     void hand();
