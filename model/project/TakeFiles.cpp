@@ -8,6 +8,7 @@
 #include <QtCore/QFile>
 #include <QtCore/QFileInfo>
 
+#include "model/project/Autosave.h"
 #include "model/project/WholeFile.h"
 
 namespace crowd::model {
@@ -85,6 +86,11 @@ QString takesFolder(const QString& projectPath)
     // "Show.crowd.host-17.autosave" is one of "Show.crowd".
     const auto end = name.indexOf(QLatin1String(".crowd"));
     return project.absoluteDir().filePath((end > 0 ? name.left(end) : name) + kTakesSuffix);
+}
+
+QString newTakesFolder(const QString& projectPath)
+{
+    return takesFolder(projectPath.isEmpty() ? autosavePath(QString()) : projectPath);
 }
 
 Result<void> placeTakes(const Scene& scene, const QString& projectPath)

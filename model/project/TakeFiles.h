@@ -11,6 +11,8 @@ namespace crowd::model {
 
 /// Of a project, or of an autosave of it.
 [[nodiscard]] QString takesFolder(const QString& projectPath);
+/// Where takes of a project are written; of an unsaved one (an empty path) beside its autosave.
+[[nodiscard]] QString newTakesFolder(const QString& projectPath);
 
 /// What lies elsewhere of takes comes into the project's own folder too: as a second name of the
 /// same file where that can be had, else as a copy.

@@ -10,6 +10,7 @@
 
 #include "model/base/Message.h"
 #include "model/describe/Field.h"
+#include "model/scene/HandEdit.h"
 #include "model/scene/MotionFile.h"
 #include "model/scene/Timeline.h"
 
@@ -35,6 +36,9 @@ struct Take
     int people = 0;     ///< that it moves
     /// It is what is seen instead of a run; of one take at most (see shownTake()).
     bool isShown = false;
+    /// What is done to people of it by hand, in this order.
+    std::vector<HandEdit> edits{};
+    bool areEditsOn = true;       ///< all of them
     std::string unknownMembers{}; ///< see Scene::unknownMembers
     MotionFilePtr motion{};       ///< null: not there, or not loaded yet
     Message problem{};            ///< why it is not there; empty otherwise
@@ -87,7 +91,10 @@ constexpr auto Take::fields()
                            .low = -kLatestMark,
                            .high = kLatestMark}),
         field(&Take::people, {.key = "people", .doc = "how many it moves", .high = 2147483647.0}),
-        field(&Take::isShown, {.key = "shown", .doc = "whether it is seen instead of a run"}));
+        field(&Take::isShown, {.key = "shown", .doc = "whether it is seen instead of a run"}),
+        field(&Take::edits,
+              {.key = "edits", .doc = "what is done to people of it by hand, in this order"}),
+        field(&Take::areEditsOn, {.key = "edited", .doc = "whether its edits count"}));
 }
 
 } // namespace crowd::model

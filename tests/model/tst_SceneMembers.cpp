@@ -154,6 +154,9 @@ void alter(members::Takes, SceneEdit& edit)
     take.name = "Rehearsal";
     take.file = "0123.take";
     take.isShown = true;
+    take.edits = {{HandEditKind::Aside, false, {3, 5}, 1.0, 2.0}};
+    take.edits.front().aside = -2.0F;
+    take.areEditsOn = false;
     edit.set<members::Takes>({take});
 }
 
