@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "behavior/surface/WalkSurface.h"
-#include "behavior/takes/TakeFile.h"
+#include "behavior/takes/EditedTake.h"
 
 namespace crowd::behavior {
 
@@ -45,16 +45,12 @@ bool SceneMotion::openShownTake()
     if (shown == nullptr) {
         return false;
     }
-    if (!shown->motion) {
-        m_takeProblem = shown->problem;
+    auto opened = EditedTake::open(*shown, m_scene);
+    if (!opened) {
+        m_takeProblem = opened.error().said;
         return false;
     }
-    auto motion = openTake(shown->motion);
-    if (!motion) {
-        m_takeProblem = motion.error().said;
-        return false;
-    }
-    m_take = std::make_unique<MotionReader>(std::move(motion).value());
+    m_take = std::move(opened).value();
     return true;
 }
 

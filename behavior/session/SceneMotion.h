@@ -6,10 +6,11 @@
 #include <memory>
 #include <string>
 
-#include "behavior/session/MotionReader.h"
 #include "behavior/session/Session.h"
 
 namespace crowd::behavior {
+
+class EditedTake;
 
 /// What can be walked on in a scene; null: open ground, or `problem` says why it could not be
 /// found. Takes seconds for large stages; may be cancelled from another thread.
@@ -48,7 +49,7 @@ private:
     std::shared_ptr<const WalkSurface> m_surface;
     model::Message m_surfaceProblem;
     model::Message m_takeProblem;
-    std::unique_ptr<MotionReader> m_take; ///< null: none is shown
+    std::unique_ptr<EditedTake> m_take; ///< null: none is shown
     std::unique_ptr<Session> m_session;
     SessionPosePtr m_before;
     SessionPosePtr m_after;

@@ -14,6 +14,7 @@
 #include "behavior/session/MotionReader.h"
 #include "behavior/session/PoseKeeping.h"
 #include "behavior/session/Session.h"
+#include "behavior/takes/EditedTake.h"
 #include "behavior/takes/TakeComposition.h"
 #include "model/base/Random.h"
 #include "model/document/SceneDocument.h"
@@ -47,8 +48,7 @@ Result<Steps> stepsOf(MotionReader& reader)
     const MotionCache::Extent extent = reader.cache().extent();
     const auto [first, next] = reader.around(extent.first);
     if (!first || !next) {
-        return Error{QT_TRANSLATE_NOOP("Messages", "The take cannot be read: its file is damaged. "
-                                                   "Fetch it from a copy.")};
+        return Error{damagedTake()};
     }
     const double length = next->seconds - first->seconds;
     for (const std::uint32_t rate : model::kStepRates) {
@@ -89,6 +89,7 @@ public:
 private:
     std::vector<model::IndividualId> m_ids; ///< ascending
     std::vector<AgentState> m_bodies;
+    std::vector<AgentState> m_there; ///< those who have not left
 };
 
 std::span<const AgentState> Others::at(const SessionPose& now, const SessionPose& next)
@@ -97,20 +98,26 @@ std::span<const AgentState> Others::at(const SessionPose& now, const SessionPose
     const float perSecond = seconds > 0.0 ? static_cast<float>(1.0 / seconds) : 0.0F;
     const bool isSame = now.ids == next.ids;
     std::size_t row = 0;
+    m_there.clear();
     for (std::size_t i = 0; i < m_ids.size(); ++i) {
         while (row < now.ids.size() && now.ids[row] < m_ids[i]) {
             ++row;
         }
         if (row == now.ids.size() || now.ids[row] != m_ids[i]) {
-            continue; // stays where the scene has him
+            m_there.push_back(m_bodies[i]); // stays where the scene has him
+            continue;
+        }
+        if ((now.flags[row] & kPoseGone) != 0) {
+            continue;
         }
         const glm::vec2 here(now.x[row], now.z[row]);
         m_bodies[i].position = here;
         m_bodies[i].groundHeight = now.y[row];
         m_bodies[i].velocity =
             isSame ? (glm::vec2(next.x[row], next.z[row]) - here) * perSecond : glm::vec2(0.0F);
+        m_there.push_back(m_bodies[i]);
     }
-    return m_bodies;
+    return m_there;
 }
 
 /// The scene of those people alone, as they were seen at that moment.
@@ -247,6 +254,7 @@ private:
     model::Scene m_alone;
     std::unique_ptr<Session> m_session;
     std::unique_ptr<Others> m_others;
+    std::unique_ptr<EditedTake> m_edited; ///< where they are seen
     std::unique_ptr<TakeComposition> m_composition;
     std::unique_ptr<WayHome> m_home; ///< null: it goes on to the take's end
     SessionPosePtr m_before;         ///< the take's step that the session has come to
@@ -308,6 +316,7 @@ void Retaking::begin(const std::shared_ptr<const WalkSurface>& surface)
     m_session->crowd().setLevels(true);
     m_session->beginAs(*earlier, *m_before);
     m_others = std::make_unique<Others>(m_scene, m_wish.people);
+    m_edited = std::make_unique<EditedTake>(m_take, m_wish.edits, m_scene);
     m_composition = std::make_unique<TakeComposition>(m_wish.people, m_before, m_scene.population);
     m_result.people = m_alone.population.size();
     if (!m_returns) {
@@ -323,7 +332,8 @@ void Retaking::begin(const std::shared_ptr<const WalkSurface>& surface)
 /// The next step of the stretch, which is at the time of that one of the take.
 SessionPosePtr Retaking::next(const SessionPosePtr& take)
 {
-    m_session->crowd().setPuppets(m_others->at(*m_before, *take));
+    const SessionPosePtr here = m_edited->edited(m_before);
+    m_session->crowd().setPuppets(m_others->at(*here, *m_edited->edited(take)));
     m_session->step();
     ++m_result.steps;
     m_last = m_session->pose();
@@ -341,18 +351,14 @@ std::optional<Error> Retaking::addPiece(std::size_t piece, double first, double 
 {
     const bool isBefore = last < m_wish.begin + kPartOfStep * m_step;
     if (isBefore || first > m_wish.end + kFadeSeconds + m_step) {
-        return m_result.motion->addPiece(*m_take, piece)
-                   ? std::nullopt
-                   : std::optional(Error{QT_TRANSLATE_NOOP(
-                         "Messages", "The take cannot be read: its file is damaged. Fetch it from "
-                                     "a copy.")});
+        return m_result.motion->addPiece(*m_take, piece) ? std::nullopt
+                                                         : std::optional(Error{damagedTake()});
     }
     const auto count = static_cast<std::uint64_t>(std::llround((last - first) / m_step)) + 1;
     for (std::uint64_t i = 0; i < count; ++i) {
         const SessionPosePtr take = at(first + static_cast<double>(i) * m_step);
         if (!take) {
-            return Error{QT_TRANSLATE_NOOP("Messages", "The take cannot be read: its file is "
-                                                       "damaged. Fetch it from a copy.")};
+            return Error{damagedTake()};
         }
         if (isWithin(take->seconds)) {
             m_result.motion->add(next(take));

@@ -9,6 +9,7 @@
 #include "behavior/surface/WalkSurface.h"
 #include "behavior/takes/TakeFile.h"
 #include "model/base/Result.h"
+#include "model/scene/HandEdit.h"
 #include "model/scene/Scene.h"
 
 namespace crowd::behavior {
@@ -20,6 +21,8 @@ struct RetakeWish
     double begin = 0.0;                      ///< seconds of the clock
     double end = 0.0;                        ///< before the take's end they come back by then
     std::uint32_t seed = 0;                  ///< 0: the scene's; another one is another run
+    /// Of the take: others are avoided where these bring them.
+    std::vector<model::HandEdit> edits{};
 };
 
 /// What came of it.

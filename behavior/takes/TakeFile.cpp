@@ -322,4 +322,10 @@ Result<std::shared_ptr<MotionCache>> openTake(const model::MotionFilePtr& file)
     return TakeReading(file).read();
 }
 
+model::Message damagedTake()
+{
+    return model::Message(QT_TRANSLATE_NOOP("Messages", "The take cannot be read: its file is "
+                                                        "damaged. Fetch it from a copy."));
+}
+
 } // namespace crowd::behavior

@@ -7,6 +7,7 @@
 #include <QtCore/QString>
 
 #include "behavior/session/MotionCache.h"
+#include "model/base/Message.h"
 #include "model/base/Result.h"
 #include "model/scene/Take.h"
 
@@ -27,5 +28,8 @@ using TakeProgress = std::function<bool(double share)>;
 /// asked for.
 [[nodiscard]] model::Result<std::shared_ptr<MotionCache>>
 openTake(const model::MotionFilePtr& file);
+
+/// What is said of one whose steps cannot be read.
+[[nodiscard]] model::Message damagedTake();
 
 } // namespace crowd::behavior

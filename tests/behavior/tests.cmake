@@ -9,6 +9,7 @@ crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_PlaceRooms
     tst_Problems
     tst_PropertyOverrides
+    tst_EditedTake
     tst_Retake
     tst_RuleActions
     tst_RuleAims
