@@ -12,7 +12,7 @@
 #include "behavior/session/MotionReader.h"
 #include "behavior/takes/TakeFile.h"
 #include "model/base/ShownText.h"
-#include "model/project/Autosave.h"
+#include "model/project/HandEditJson.h"
 #include "model/project/TakeFiles.h"
 
 namespace crowd::app {
@@ -119,6 +119,24 @@ Result<void> removeTake(ScriptScene& script, const std::string& name)
     });
 }
 
+Result<void> setHandEdits(ScriptScene& script, const std::string& name, const std::string& edits,
+                          bool areOn)
+{
+    auto read = readHandEdits(edits);
+    if (!read) {
+        return read.error();
+    }
+    return editTakes(script, "Edit take by hand", [&](Takes& takes) -> Result<void> {
+        const auto found = std::ranges::find(takes, name, &Take::name);
+        if (found == takes.end()) {
+            return noTake(takes, name);
+        }
+        found->edits = std::move(read).value();
+        found->areEditsOn = areOn;
+        return {};
+    });
+}
+
 Result<Take> keepTake(ScriptSession& session, const std::string& name, const KeepGoing& goesOn)
 {
     ScriptScene& script = *session.scene();
@@ -130,8 +148,7 @@ Result<Take> keepTake(ScriptSession& session, const std::string& name, const Kee
     if (!motion) {
         return Error{"The session does not record: make it as Session(scene, record=True)."};
     }
-    const QString path = QString::fromStdString(script.path());
-    const QString folder = takesFolder(path.isEmpty() ? autosavePath(QString()) : path);
+    const QString folder = newTakesFolder(QString::fromStdString(script.path()));
     auto taken = behavior::writeTake(*motion, folder, goesOn);
     if (!taken) {
         return taken;

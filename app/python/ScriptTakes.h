@@ -19,6 +19,9 @@ namespace crowd::app {
 [[nodiscard]] model::Result<void> renameTake(ScriptScene& script, const std::string& name,
                                              const std::string& to);
 [[nodiscard]] model::Result<void> removeTake(ScriptScene& script, const std::string& name);
+/// What is done to people of it by hand: a list as JSON (see readHandEdits). `areOn`: all of it.
+[[nodiscard]] model::Result<void> setHandEdits(ScriptScene& script, const std::string& name,
+                                               const std::string& edits, bool areOn);
 /// What a session has recorded becomes a take of its scene. The name is no other's.
 [[nodiscard]] model::Result<model::Take> keepTake(ScriptSession& session, const std::string& name,
                                                   const model::KeepGoing& goesOn);

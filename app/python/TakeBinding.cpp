@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "app/python/Binding.h"
 #include "app/python/LongCall.h"
+#include "app/python/OutsidePython.h"
 #include "app/python/ScriptTakes.h"
+#include "model/project/HandEditJson.h"
 
 namespace crowd::app {
 
@@ -25,9 +28,40 @@ Take keepGiven(ScriptSession& session, const std::string& name, const LongCall::
     return valueOrRaise(std::move(kept));
 }
 
-} // namespace
+py::object editsOf(const Take& take)
+{
+    return callPython(py::module_::import("json").attr("loads"),
+                      py::make_tuple(handEditsText(take.edits)));
+}
 
-void bindTakes(py::module_& module, SceneClass& scene)
+/// A list of dicts, or JSON text.
+std::string editsText(const py::object& given)
+{
+    if (py::isinstance<py::str>(given)) {
+        return given.cast<std::string>();
+    }
+    try {
+        return callPython(py::module_::import("json").attr("dumps"), py::make_tuple(given))
+            .cast<std::string>();
+    } catch (py::error_already_set& problem) {
+        if (problem.matches(PyExc_TypeError) || problem.matches(PyExc_ValueError)) {
+            throw ScriptError("Edits are a list of dicts as take.edits gives it, or JSON text: " +
+                              std::string(py::str(problem.value())) + ".");
+        }
+        throw;
+    }
+}
+
+constexpr const char* kEditDoc =
+    "What is done to people of the take by hand, instead of what was done so far: a list "
+    "of dicts, or JSON text. kind: \"shift\" (later: seconds), \"pace\" (pace: times as "
+    "fast; 0: they stand still), \"aside\" (aside: metres to the right) or \"hide\"; "
+    "people: their ids, ascending; begin and end: seconds of the clock, of all but \"shift\" "
+    "(an end that is not after the beginning: to the end of the take); on: whether it counts. They "
+    "survive it when people are taken again. on=False: none of them counts. Raises Error "
+    "for what is none, and where there is no such take.";
+
+void bindTake(py::module_& module)
 {
     py::class_<Take>(module, "Take",
                      "A run that was kept, to be shown again whatever becomes of paths and rules; "
@@ -40,9 +74,20 @@ void bindTakes(py::module_& module, SceneClass& scene)
         .def_property_readonly(
             "problem", [](const Take& take) { return take.problem.english(); },
             "Why its motion is not there; empty: it is.")
+        .def_property_readonly(
+            "edits", &editsOf,
+            "list of dict: what is done to people of it by hand, see Scene.edit_take.")
+        .def_readonly("edited", &Take::areEditsOn, "Whether its edits count.")
         .def("__repr__", [](const Take& take) {
             return "<Take \"" + take.name + "\" of " + std::to_string(take.people) + ">";
         });
+}
+
+} // namespace
+
+void bindTakes(py::module_& module, SceneClass& scene)
+{
+    bindTake(module);
     scene
         .def_property_readonly("takes", &takesOf,
                                "list of Take: kept runs. Their motion is in files in a folder "
@@ -69,6 +114,12 @@ void bindTakes(py::module_& module, SceneClass& scene)
                 valueOrRaise(renameTake(*self, name, to));
             },
             py::arg("name"), py::arg("to"), "Raises Error where another one has that name.")
+        .def(
+            "edit_take",
+            [](const ScenePtr& self, const std::string& name, const py::object& edits, bool on) {
+                valueOrRaise(setHandEdits(*self, name, editsText(edits), on));
+            },
+            py::arg("name"), py::arg("edits"), py::kw_only(), py::arg("on") = true, kEditDoc)
         .def(
             "remove_take",
             [](const ScenePtr& self, const std::string& name) {

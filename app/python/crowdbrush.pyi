@@ -1419,6 +1419,14 @@ class Scene:
         brings it into the project's folder of takes. It moves those who have the same ids."""
     def rename_take(self, name: str, to: str) -> None:
         """Raises Error where another one has that name."""
+    def edit_take(self, name: str, edits: Any, *, on: bool = ...) -> None:
+        """What is done to people of the take by hand, instead of what was done so far: a list of
+        dicts, or JSON text. kind: "shift" (later: seconds), "pace" (pace: times as fast; 0:
+        they stand still), "aside" (aside: metres to the right) or "hide"; people: their ids,
+        ascending; begin and end: seconds of the clock, of all but "shift" (an end that is not
+        after the beginning: to the end of the take); on: whether it counts. They survive it
+        when people are taken again. on=False: none of them counts. Raises Error for what is
+        none, and where there is no such take."""
     def remove_take(self, name: str) -> None:
         """The file with its motion stays."""
     @property
@@ -1673,6 +1681,12 @@ class Take:
     @property
     def problem(self) -> str:
         """Why its motion is not there; empty: it is."""
+    @property
+    def edits(self) -> Any:
+        """list of dict: what is done to people of it by hand, see Scene.edit_take."""
+    @property
+    def edited(self) -> bool:
+        """Whether its edits count."""
 
 
 class Lighting:

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/record/TakeScript.h"
 
+#include <utility>
+
 #include "app/record/ScriptText.h"
+#include "model/project/HandEditJson.h"
 
 namespace crowd::app {
 
@@ -17,6 +20,20 @@ std::string additionOf(const Take& take)
     }
     return "scene.add_take(" + pythonText(take.motion->path().toStdString()) + ", " + name +
            ", id=" + pythonText(take.id) + ")\n";
+}
+
+/// Empty: they are the same.
+std::string editsLine(const Take* was, const Take& take)
+{
+    const bool isSame = was == nullptr
+                            ? take.edits.empty() && take.areEditsOn
+                            : was->edits == take.edits && was->areEditsOn == take.areEditsOn;
+    if (isSame || !take.motion) {
+        return {};
+    }
+    return "scene.edit_take(" + pythonText(take.name) + ", " +
+           pythonText(handEditsText(take.edits)) +
+           (take.areEditsOn ? std::string() : ", on=" + pythonText(false)) + ")\n";
 }
 
 } // namespace
@@ -36,6 +53,9 @@ std::vector<std::string> takeLines(const Takes& before, const Takes& after)
         } else if (was->name != each.name) {
             lines.push_back("scene.rename_take(" + pythonText(was->name) + ", " +
                             pythonText(each.name) + ")\n");
+        }
+        if (std::string line = editsLine(was, each); !line.empty()) {
+            lines.push_back(std::move(line));
         }
     }
     const Take* shown = shownTake(after);

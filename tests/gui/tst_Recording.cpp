@@ -149,7 +149,16 @@ void recordTakes(const Edit& edit, const QString& folder)
     all[0].name = "Rehearsal";
     all[1].isShown = true;
     edit("A take shown, another renamed", [&](model::SceneEdit& open) { open.set<Takes>(all); });
+    model::HandEdit still;
+    still.pace = 0.0F;
+    still.people = {1, 2};
+    still.begin = 0.1;
+    all[0].edits = {still};
+    edit("People of a take edited by hand", [&](model::SceneEdit& open) { open.set<Takes>(all); });
+    all[0].areEditsOn = false;
+    edit("Edits switched off", [&](model::SceneEdit& open) { open.set<Takes>(all); });
     all.push_back(takeIn(folder, 6, "Third", 8.0));
+    all.back().edits = {still, still};
     all[1].isShown = false;
     edit("No take shown", [&](model::SceneEdit& open) { open.set<Takes>(all); });
     all.erase(all.begin() + 1);

@@ -95,6 +95,38 @@ class Takes(unittest.TestCase):
         other.save(os.path.join(self.folder.name, "other.crowd"))
         self.assertEqual(len(os.listdir(os.path.join(self.folder.name, "other.takes"))), 1)
 
+    def test_people_are_edited_by_hand(self):
+        self.keep()
+        self.scene.show_take("First")
+        plain = self.scene.render(64, 36, time=0.91, camera=CAMERA).tobytes()
+        edits = [{"kind": "hide", "people": [2], "begin": 0.5},
+                 {"kind": "pace", "people": [3, 1, 3], "pace": 0.0, "begin": 0.2, "end": 0.9,
+                  "on": False}]
+        self.scene.edit_take("First", edits)
+        kept = self.scene.takes[0].edits
+        self.assertEqual([each["kind"] for each in kept], ["hide", "pace"])
+        self.assertEqual((kept[1]["people"], kept[1]["on"]), ([1, 3], False))
+        self.assertTrue(self.scene.takes[0].edited)
+        hidden = self.scene.render(64, 36, time=0.91, camera=CAMERA).tobytes()
+        self.assertNotEqual(hidden, plain)
+        self.scene.edit_take("First", kept, on=False)
+        self.assertFalse(self.scene.takes[0].edited)
+        self.assertEqual(self.scene.render(64, 36, time=0.91, camera=CAMERA).tobytes(), plain)
+        self.scene.edit_take("First", kept)
+        self.scene.save()
+        again = crowdbrush.open(self.path)
+        self.assertEqual(again.takes[0].edits, kept)
+        self.assertEqual(again.render(64, 36, time=0.91, camera=CAMERA).tobytes(), hidden)
+        for wrong, what in (([{"kind": "fly"}], "kind"), ([{"people": [-3]}], "people"),
+                            ([{"pace": -1}], "pace"), ([{"colour": 1}], "colour"), ([7], "object"),
+                            ({}, "list"), ("[", "list"), ([{"begin": object()}], "list of dicts"),
+                            ([{}] * 201, "201")):
+            with self.assertRaisesRegex(crowdbrush.Error, what):
+                self.scene.edit_take("First", wrong)
+        with self.assertRaisesRegex(crowdbrush.Error, "there are: First"):
+            self.scene.edit_take("Nobody", [])
+        self.assertEqual(self.scene.takes[0].edits, kept)
+
     def test_what_cannot_be(self):
         session, _ = self.keep()
         with self.assertRaisesRegex(crowdbrush.Error, "already"):
