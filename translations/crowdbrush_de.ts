@@ -3905,6 +3905,78 @@
         <source>Turns by</source>
         <translation>Dreht um</translation>
     </message>
+    <message>
+        <source>later or earlier</source>
+        <translation>später oder früher</translation>
+    </message>
+    <message>
+        <source>Everything that they do, by some seconds</source>
+        <translation>Alles, was sie tun, um einige Sekunden</translation>
+    </message>
+    <message>
+        <source>slower or faster</source>
+        <translation>langsamer oder schneller</translation>
+    </message>
+    <message>
+        <source>For a while; they are late, or early, from then on</source>
+        <translation>Eine Weile lang; von da an sind sie später dran, oder früher</translation>
+    </message>
+    <message>
+        <source>beside their way</source>
+        <translation>neben ihrem Weg</translation>
+    </message>
+    <message>
+        <source>To the right or to the left</source>
+        <translation>Nach rechts oder links</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>verborgen</translation>
+    </message>
+    <message>
+        <source>Nobody sees them for a while</source>
+        <translation>Eine Weile lang sieht sie niemand</translation>
+    </message>
+    <message>
+        <source>They are</source>
+        <translation>Sie sind</translation>
+    </message>
+    <message>
+        <source>Later by</source>
+        <translation>Später um</translation>
+    </message>
+    <message>
+        <source>Less than nothing: earlier</source>
+        <translation>Weniger als nichts: früher</translation>
+    </message>
+    <message>
+        <source>Pace</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>100 %: as it was; 0 %: they stand still</source>
+        <translation>100 %: wie es war; 0 %: sie stehen still</translation>
+    </message>
+    <message>
+        <source>To the right by</source>
+        <translation>Nach rechts um</translation>
+    </message>
+    <message>
+        <source>Less than nothing: to the left</source>
+        <translation>Weniger als nichts: nach links</translation>
+    </message>
+    <message>
+        <source>By the clock</source>
+        <translation>Nach der Uhr</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Not after the beginning: to the end of the take</source>
+        <translation>Nicht nach dem Anfang: bis zum Ende des Takes</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -3949,6 +4021,91 @@
     <message>
         <source>Show a group alone</source>
         <translation>Eine Gruppe allein zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>HandEdits</name>
+    <message>
+        <source>%1 s earlier</source>
+        <translation>%1 s früher</translation>
+    </message>
+    <message>
+        <source>%1 s later</source>
+        <translation>%1 s später</translation>
+    </message>
+    <message>
+        <source>still</source>
+        <translation>steht still</translation>
+    </message>
+    <message>
+        <source>at %1 % of the pace</source>
+        <translation>mit %1 % des Tempos</translation>
+    </message>
+    <message>
+        <source>%1 m to the left</source>
+        <translation>%1 m nach links</translation>
+    </message>
+    <message>
+        <source>%1 m to the right</source>
+        <translation>%1 m nach rechts</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>verborgen</translation>
+    </message>
+    <message>
+        <source>%1, from %2 on</source>
+        <translation>%1, ab %2</translation>
+    </message>
+    <message>
+        <source>Keep what was played as a take and show it: then people of it can be edited by hand.</source>
+        <translation>Behalten Sie, was gespielt wurde, als Take und zeigen Sie ihn: dann lassen sich seine Figuren von Hand ändern.</translation>
+    </message>
+    <message>
+        <source>Select those who are to be edited.</source>
+        <translation>Wählen Sie die Figuren, die geändert werden sollen.</translation>
+    </message>
+    <message>
+        <source>There are as many edits as a take can have. Delete some.</source>
+        <translation>Es gibt so viele Änderungen, wie ein Take haben kann. Löschen Sie einige.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Edit %n character(s) of the take</source>
+        <translation>
+            <numerusform>%n Figur des Takes ändern</numerusform>
+            <numerusform>%n Figuren des Takes ändern</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n character(s): %1.</source>
+        <translation>
+            <numerusform>%n Figur: %1.</numerusform>
+            <numerusform>%n Figuren: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Switch an edit on</source>
+        <translation>Eine Änderung einschalten</translation>
+    </message>
+    <message>
+        <source>Switch an edit off</source>
+        <translation>Eine Änderung ausschalten</translation>
+    </message>
+    <message>
+        <source>Switch the take&apos;s edits on</source>
+        <translation>Änderungen des Takes einschalten</translation>
+    </message>
+    <message>
+        <source>Switch the take&apos;s edits off</source>
+        <translation>Änderungen des Takes ausschalten</translation>
+    </message>
+    <message>
+        <source>Delete an edit</source>
+        <translation>Eine Änderung löschen</translation>
+    </message>
+    <message>
+        <source>%1, %2–%3</source>
+        <translation>%1, %2–%3</translation>
     </message>
 </context>
 <context>
@@ -5876,6 +6033,18 @@
     <message>
         <source>%1: is cut off. Keep the take once more, or fetch the file from a copy.</source>
         <translation>%1: ist abgeschnitten. Behalten Sie den Take noch einmal, oder holen Sie die Datei aus einer Kopie.</translation>
+    </message>
+    <message>
+        <source>The take &quot;%1&quot; has %2 edits by hand; there can be %3. Delete some.</source>
+        <translation>Der Take „%1“ hat %2 Änderungen von Hand; es können %3 sein. Löschen Sie einige.</translation>
+    </message>
+    <message>
+        <source>What is done to people by hand is a list of objects.</source>
+        <translation>Was mit Figuren von Hand geschieht, ist eine Liste von Objekten.</translation>
+    </message>
+    <message>
+        <source>A take has at most %1 edits by hand, not %2.</source>
+        <translation>Ein Take hat höchstens %1 Änderungen von Hand, nicht %2.</translation>
     </message>
 </context>
 <context>
@@ -10772,6 +10941,68 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>New Group of the Selected</source>
         <translation>Neue Gruppe aus den Ausgewählten</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::HandEditsPanel</name>
+    <message>
+        <source>Edits by hand</source>
+        <translation>Von Hand geändert</translation>
+    </message>
+    <message>
+        <source>Off: the take is seen as it was kept</source>
+        <translation>Aus: der Take ist zu sehen, wie er behalten wurde</translation>
+    </message>
+    <message>
+        <source>Edit the selected characters of the take</source>
+        <translation>Die gewählten Figuren des Takes ändern</translation>
+    </message>
+    <message>
+        <source>Select those whom the chosen edit is for</source>
+        <translation>Die wählen, für die die gewählte Änderung ist</translation>
+    </message>
+    <message>
+        <source>Delete the chosen edit</source>
+        <translation>Die gewählte Änderung löschen</translation>
+    </message>
+    <message>
+        <source>Later or Earlier</source>
+        <translation>Später oder früher</translation>
+    </message>
+    <message>
+        <source>Slower or Faster</source>
+        <translation>Langsamer oder schneller</translation>
+    </message>
+    <message>
+        <source>Stand Still</source>
+        <translation>Still stehen</translation>
+    </message>
+    <message>
+        <source>Beside Their Way</source>
+        <translation>Neben ihrem Weg</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Verborgen</translation>
+    </message>
+    <message>
+        <source>Change an edit</source>
+        <translation>Eine Änderung anpassen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n character(s)</source>
+        <translation>
+            <numerusform>%n Figur</numerusform>
+            <numerusform>%n Figuren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>

@@ -3905,6 +3905,78 @@
         <source>Turns by</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>later or earlier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything that they do, by some seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slower or faster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For a while; they are late, or early, from then on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beside their way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the right or to the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody sees them for a while</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Later by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Less than nothing: earlier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>100 %: as it was; 0 %: they stand still</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the right by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Less than nothing: to the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By the clock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not after the beginning: to the end of the take</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -3948,6 +4020,91 @@
     </message>
     <message>
         <source>Show a group alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HandEdits</name>
+    <message>
+        <source>%1 s earlier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>still</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at %1 % of the pace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m to the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, from %2 on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep what was played as a take and show it: then people of it can be edited by hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select those who are to be edited.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are as many edits as a take can have. Delete some.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Edit %n character(s) of the take</source>
+        <translation>
+            <numerusform>Edit %n character of the take</numerusform>
+            <numerusform>Edit %n characters of the take</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n character(s): %1.</source>
+        <translation>
+            <numerusform>%n character: %1.</numerusform>
+            <numerusform>%n characters: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Switch an edit on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch an edit off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the take&apos;s edits on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the take&apos;s edits off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete an edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2–%3</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5875,6 +6032,18 @@
     </message>
     <message>
         <source>%1: is cut off. Keep the take once more, or fetch the file from a copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The take &quot;%1&quot; has %2 edits by hand; there can be %3. Delete some.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is done to people by hand is a list of objects.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A take has at most %1 edits by hand, not %2.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10764,6 +10933,68 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>New Group of the Selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::HandEditsPanel</name>
+    <message>
+        <source>Edits by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off: the take is seen as it was kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit the selected characters of the take</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select those whom the chosen edit is for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the chosen edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Later or Earlier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slower or Faster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stand Still</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beside Their Way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change an edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n character(s)</source>
+        <translation>
+            <numerusform>%n character</numerusform>
+            <numerusform>%n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -353,7 +353,8 @@ void MovieController::draw(const QString& path, const MovieDialog& chosen)
     job.picture.request.size = chosen.chosenSize();
     job.picture.request.isTransparent = chosen.isTransparent();
     if (chosen.isOfRun()) {
-        job.run = m_state.session().motion();
+        // A take is seen as the scene shows it, with what was done to people by hand.
+        job.run = m_state.session().take() == 0 ? m_state.session().motion() : nullptr;
         job.earliest = m_state.session().firstSeconds();
         job.shown = m_state.document().frame(job.span.from);
     }

@@ -5,10 +5,12 @@
 #include <QtCore/QFileInfo>
 #include <QtGui/QUndoStack>
 #include <QtTest/QTest>
+#include <QtWidgets/QCheckBox>
 #include <QtWidgets/QDockWidget>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QListWidget>
+#include <QtWidgets/QMenu>
 #include <QtWidgets/QToolButton>
 
 #include "app/window/DockLayout.h"
@@ -35,6 +37,8 @@ private Q_SLOTS:
     void nobodyIsToldAnythingMeanwhile();
     void anotherIsSeenAsGhosts();
     void someActAgainAndOthersDoWhatTheyDid();
+    void peopleOfItAreEditedByHand();
+    void editsSurviveARetakeAndAFile();
     void thePanelShowsRenamesAndRemoves();
     void itIsThereAfterSavingAndOpening();
     void oneWhoseFileIsGoneSaysSo();
@@ -270,6 +274,86 @@ void TestTakes::someActAgainAndOthersDoWhatTheyDid()
     state().selection().set({});
     press(Qt::Key_J);
     QVERIFY2(said.contains(QStringLiteral("Select")), qPrintable(said));
+}
+
+void TestTakes::peopleOfItAreEditedByHand()
+{
+    play(3);
+    keep();
+    showPanel();
+    auto* list = child<QListWidget>("handEdits");
+    auto* on = child<QCheckBox>("handEditsOn");
+    QVERIFY(!on->isVisible()); // the scene as it plays is shown
+    press(Qt::Key_N);
+    QVERIFY(on->isVisible() && !list->isVisible());
+    auto* add = child<QToolButton>("addHandEdit");
+    QVERIFY(!add->isEnabled());
+    const float before = xAt(1.4, 1);
+    const float other = xAt(1.4, 2);
+    state().selection().set(
+        std::vector<model::IndividualId>{document().scene().population.ids()[1]});
+    QVERIFY(add->isEnabled());
+    transport().setSeconds(0.2);
+    add->menu()->actions()[2]->trigger(); // still
+    QCOMPARE(list->count(), 1);
+    QVERIFY2(list->item(0)->text().contains(QStringLiteral("still, 0:00.2–0:02.2 (1)")),
+             qPrintable(list->item(0)->text()));
+    QVERIFY(xAt(1.4, 1) < before - 0.3F);
+    QCOMPARE(xAt(1.4, 2), other);
+    // Off and on again, by the mouse.
+    const QRect row = list->visualItemRect(list->item(0));
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, {row.left() + 10, row.center().y()});
+    QTRY_VERIFY(!takes().front().edits.front().isOn);
+    QCOMPARE(xAt(1.4, 1), before);
+    document().undoStack().undo();
+    QVERIFY(xAt(1.4, 1) < before - 0.3F);
+    QCOMPARE(list->item(0)->checkState(), Qt::Checked);
+    on->click();
+    QCOMPARE(xAt(1.4, 1), before);
+    on->click();
+    // What it says is set in the form below.
+    auto* form = child<QWidget>("handEditForm");
+    QVERIFY(form->isVisible());
+    QVERIFY(child<QDockWidget>("takes")->widget()->minimumSizeHint().width() <= 290);
+    state().selection().set({});
+    child<QToolButton>("selectEdited")->click();
+    QCOMPARE(state().selection().ids().size(), std::size_t{1});
+    child<QToolButton>("removeHandEdit")->click();
+    QVERIFY(takes().front().edits.empty());
+    QVERIFY(!form->isVisible());
+    QCOMPARE(xAt(1.4, 1), before);
+    // Every kind of it from the menu.
+    for (QAction* action : add->menu()->actions()) {
+        action->trigger();
+    }
+    QCOMPARE(takes().front().edits.size(), std::size_t{5});
+    QCOMPARE(list->currentRow(), 4);
+}
+
+void TestTakes::editsSurviveARetakeAndAFile()
+{
+    play(3);
+    keep();
+    showPanel();
+    press(Qt::Key_N);
+    const auto ids = document().scene().population.ids();
+    const std::vector<model::IndividualId> people(ids.begin(), ids.end());
+    transport().setSeconds(0.1);
+    state().selection().set(std::vector{people[2]});
+    child<QToolButton>("addHandEdit")->menu()->actions()[3]->trigger(); // aside
+    const auto edits = takes().front().edits;
+    state().selection().set(std::vector{people[0]});
+    turnPath();
+    transport().setSeconds(0.4);
+    press(Qt::Key_J);
+    QTRY_COMPARE_WITH_TIMEOUT(takes().size(), std::size_t{2}, kPatienceMs);
+    QVERIFY(takes().back().isShown);
+    QVERIFY(takes().back().edits == edits);
+    model::Scene copy = document().scene();
+    document().undoStack().setClean();
+    openScene(copy, QStringLiteral("edited.crowd"));
+    QVERIFY(takes().back().motion && takes().back().edits == edits);
+    QVERIFY(child<QListWidget>("handEdits")->count() == 1);
 }
 
 void TestTakes::thePanelShowsRenamesAndRemoves()

@@ -15,6 +15,7 @@
 
 #include "model/base/Translated.h"
 #include "widgets/commands/TakeCommands.h"
+#include "widgets/docks/HandEditsPanel.h"
 #include "widgets/docks/PanelButton.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/theme/Icons.h"
@@ -47,7 +48,8 @@ QIcon noIcon()
 
 TakesDock::TakesDock(EditorState& state, QWidget* parent)
     : DockBase(tr("Takes"), "takes", parent), m_state(state), m_list(new QListWidget(this)),
-      m_note(new QLabel(this)), m_difference(new QLabel(this))
+      m_note(new QLabel(this)), m_difference(new QLabel(this)),
+      m_edits(new HandEditsPanel(state, this))
 {
     m_list->setObjectName(QStringLiteral("takesList"));
     m_list->setFrameShape(QFrame::NoFrame);
@@ -67,6 +69,7 @@ TakesDock::TakesDock(EditorState& state, QWidget* parent)
     layout->addWidget(m_list);
     layout->addWidget(m_note);
     layout->addWidget(m_difference);
+    layout->addWidget(m_edits);
     layout->addStretch(1);
     setScrolledContent(content);
     connectParts();
@@ -103,6 +106,7 @@ QWidget* TakesDock::buttons()
     m_remove = add("delete", tr("Delete the chosen take"), "removeTake");
     connect(m_remove, &QToolButton::clicked, this, &TakesDock::removeChosen);
     removeByKey(*m_list, [this] { removeChosen(); });
+    removeByKey(*m_edits->list(), [this] { m_edits->removeChosen(); });
     return row;
 }
 
@@ -209,6 +213,7 @@ void TakesDock::fill()
     refreshButtons();
     refreshNote();
     refreshDifference();
+    m_edits->refresh();
 }
 
 model::TakeId TakesDock::chosen() const

@@ -13,6 +13,8 @@ class QToolButton;
 
 namespace crowd::widgets {
 
+class HandEditsPanel;
+
 /// The kept takes of the scene below the scene itself as it plays: a double click shows one.
 /// Another one can be seen beside it as ghosts, and in figures. Main thread.
 class TakesDock : public DockBase
@@ -43,6 +45,7 @@ private:
     QListWidget* m_list;
     QLabel* m_note;
     QLabel* m_difference;
+    HandEditsPanel* m_edits;
     QToolButton* m_keep = nullptr;
     QToolButton* m_show = nullptr;
     QToolButton* m_ghost = nullptr;

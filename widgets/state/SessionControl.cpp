@@ -11,6 +11,7 @@
 
 #include "behavior/session/PoseKeeping.h"
 #include "behavior/session/SessionPlayer.h"
+#include "behavior/takes/TakeFile.h"
 #include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
 #include "model/states/ChangeOver.h"
@@ -418,7 +419,7 @@ void SessionControl::showTake(const model::Take* take)
     m_take.reset();
     m_takeProblem = {};
     if (take != nullptr) {
-        auto opened = TakePlayback::open(*take);
+        auto opened = TakePlayback::open(*take, m_document.scene());
         if (opened) {
             drop();
             m_take = std::move(opened).value();
@@ -444,9 +445,7 @@ void SessionControl::showTake(const model::Take* take)
 void SessionControl::checkTake()
 {
     if (m_take && m_takeProblem.empty() && !m_take->poseAt(m_transport.seconds())) {
-        m_takeProblem = model::Message(
-            QT_TRANSLATE_NOOP("Messages", "The take cannot be read: its file is damaged. Fetch it "
-                                          "from a copy."));
+        m_takeProblem = behavior::damagedTake();
         m_frame.reset();
         Q_EMIT stateChanged();
     }

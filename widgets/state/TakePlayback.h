@@ -2,11 +2,17 @@
 #pragma once
 
 #include <memory>
-#include <optional>
+#include <vector>
 
-#include "behavior/session/MotionReader.h"
+#include "behavior/session/MotionCache.h"
+#include "behavior/session/SessionPose.h"
 #include "model/base/Result.h"
+#include "model/scene/Scene.h"
 #include "model/scene/Take.h"
+
+namespace crowd::behavior {
+class EditedTake;
+} // namespace crowd::behavior
 
 namespace crowd::widgets {
 
@@ -14,15 +20,21 @@ namespace crowd::widgets {
 class TakePlayback
 {
 public:
-    [[nodiscard]] static model::Result<std::unique_ptr<TakePlayback>> open(const model::Take& take);
+    /// `scene`: whose people they are.
+    [[nodiscard]] static model::Result<std::unique_ptr<TakePlayback>>
+    open(const model::Take& take, const model::Scene& scene);
 
-    /// Whether it is that take, whatever it is called.
+    ~TakePlayback();
+    TakePlayback(const TakePlayback&) = delete;
+    TakePlayback& operator=(const TakePlayback&) = delete;
+
+    /// Whether it is that take with those edits, whatever it is called.
     [[nodiscard]] bool shows(const model::Take& take) const;
     [[nodiscard]] model::TakeId id() const { return m_id; }
     [[nodiscard]] double first() const { return m_extent.first; } ///< seconds of the clock
     [[nodiscard]] double last() const { return m_extent.last; }
-    /// For readers on any thread.
-    [[nodiscard]] const std::shared_ptr<behavior::MotionCache>& motion() const { return m_motion; }
+    /// As it was kept, without edits; for readers on any thread.
+    [[nodiscard]] const std::shared_ptr<behavior::MotionCache>& motion() const;
     /// Of the step that is shown at a time; null: it cannot be read any more.
     [[nodiscard]] behavior::SessionPosePtr poseAt(double seconds) const;
     /// Puts people where they are at frame.seconds, before its beginning and after its end as they
@@ -30,13 +42,14 @@ public:
     bool pose(model::CrowdFrame& frame) const;
 
 private:
-    TakePlayback(const model::Take& take, std::shared_ptr<behavior::MotionCache> motion);
+    TakePlayback(const model::Take& take, std::unique_ptr<behavior::EditedTake> edited);
 
     model::TakeId m_id;
     model::MotionFilePtr m_file;
-    std::shared_ptr<behavior::MotionCache> m_motion;
+    std::vector<model::HandEdit> m_edits;
+    bool m_areEditsOn;
+    std::unique_ptr<behavior::EditedTake> m_edited; ///< read by functions that change nothing else
     behavior::MotionCache::Extent m_extent;
-    mutable behavior::MotionReader m_reader;
 };
 
 } // namespace crowd::widgets

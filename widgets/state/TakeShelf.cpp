@@ -12,7 +12,6 @@
 #include "behavior/takes/TakeFile.h"
 #include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
-#include "model/project/Autosave.h"
 #include "model/project/TakeFiles.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/state/SessionControl.h"
@@ -126,10 +125,11 @@ bool TakeShelf::retake(std::vector<model::IndividualId> ids, double begin, doubl
     m_name = freeTakeName(m_document.scene());
     m_share = 0.0F;
     behavior::RetakeWish wish{std::move(ids), begin, end,
-                              model::freeTakeId(m_document.scene().takes)};
+                              model::freeTakeId(m_document.scene().takes),
+                              shown->areEditsOn ? shown->edits : std::vector<model::HandEdit>()};
     m_task.start(
         [scene = m_document.scene(), motion = m_session.motion(), wish = std::move(wish),
-         surface = m_session.surface(),
+         surface = m_session.surface(), edits = shown->edits, areEditsOn = shown->areEditsOn,
          folder = folder()](const TaskReport& report) -> model::Result<Anew> {
             model::Message problem;
             const auto ground = surface ? surface : behavior::surfaceOf(scene, problem);
@@ -146,8 +146,10 @@ bool TakeShelf::retake(std::vector<model::IndividualId> ids, double begin, doubl
             if (!taken) {
                 return taken.error();
             }
-            return Anew{std::move(taken).value(), made.value().people,
-                        made.value().furthestFromHome};
+            Anew anew{std::move(taken).value(), made.value().people, made.value().furthestFromHome};
+            anew.take.edits = edits; // they survive it
+            anew.take.areEditsOn = areEditsOn;
+            return anew;
         },
         [this](const model::Result<Anew>& made) {
             if (!made) {
@@ -165,8 +167,7 @@ bool TakeShelf::retake(std::vector<model::IndividualId> ids, double begin, doubl
 
 QString TakeShelf::folder() const
 {
-    const QString path = m_document.path();
-    return model::takesFolder(path.isEmpty() ? model::autosavePath(QString()) : path);
+    return model::newTakesFolder(m_document.path());
 }
 
 void TakeShelf::cancel()
@@ -248,7 +249,7 @@ void TakeShelf::setGhost(model::TakeId id)
     const model::Take* take = model::findTake(m_document.scene().takes, id);
     std::unique_ptr<TakePlayback> opened;
     if (take != nullptr) {
-        auto playback = TakePlayback::open(*take);
+        auto playback = TakePlayback::open(*take, m_document.scene());
         if (playback) {
             opened = std::move(playback).value();
         } else {
@@ -285,7 +286,7 @@ void TakeShelf::followScene(const model::SceneChange& change)
     }
     const model::Take* take = model::findTake(m_document.scene().takes, m_ghost->id());
     if (take == nullptr || !m_ghost->shows(*take)) {
-        setGhost(0);
+        setGhost(take != nullptr ? take->id : 0);
     }
 }
 
