@@ -6,6 +6,7 @@ crowd_add_tests(ROOM app LINK crowd_app TESTS
     tst_MainWindow
     tst_MakeMovie
     tst_MemoryRelease
+    tst_OwnKeys
     tst_Panels
     tst_PictureFormats
     tst_QuickCard

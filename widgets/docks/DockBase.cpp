@@ -14,6 +14,8 @@
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QScrollBar>
 
+#include "widgets/actions/OwnKeys.h"
+
 namespace crowd::widgets {
 
 namespace {
@@ -121,6 +123,7 @@ void DockBase::removeByKey(QWidget& list, const std::function<void()>& remove)
     action->setShortcutContext(Qt::WidgetShortcut);
     connect(action, &QAction::triggered, this, remove);
     list.addAction(action);
+    keepKeysOfOwnActions(list);
 }
 
 void DockBase::showRenaming(QListWidget& list)

@@ -9,6 +9,7 @@
 #include <QtWidgets/QToolButton>
 
 #include "model/document/SceneEdit.h"
+#include "widgets/actions/OwnKeys.h"
 #include "widgets/docks/RuleNames.h"
 #include "widgets/state/ShownTake.h"
 #include "widgets/theme/Icons.h"
@@ -46,6 +47,7 @@ RuleCommands::RuleCommands(EditorState& state, QWidget& list, QObject* parent)
     m_try = makeAction("ruleTry", tr("Test on Selected"), tr("Ctrl+T"), &RuleCommands::tryRule);
     m_try->setIcon(iconNamed("rule-test"));
     m_try->setToolTip(tr("Test the rule on the selected characters, or on all, while it plays"));
+    keepKeysOfOwnActions(m_list);
 }
 
 QAction* RuleCommands::makeAction(const char* name, const QString& text, const QKeySequence& keys,
