@@ -3,6 +3,10 @@
 
 namespace crowd::model {
 
+template std::span<const RuleKind> kindsOf<TriggerData>();
+template std::span<const RuleKind> kindsOf<ConditionData>();
+template std::span<const RuleKind> kindsOf<ActionData>();
+
 Trigger::Trigger(const Trigger& other) = default;
 Trigger::Trigger(Trigger&& other) noexcept = default;
 Trigger& Trigger::operator=(const Trigger& other) = default;
