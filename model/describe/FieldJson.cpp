@@ -309,7 +309,13 @@ void readValue(JsonFields& fields, const FieldMeta& meta, std::vector<int>& valu
                         QT_TRANSLATE_NOOP("Messages", "%1 must be a list of whole numbers"));
         return;
     }
-    values = list->get<std::vector<int>>();
+    auto read = list->get<std::vector<int>>();
+    const auto isWithin = [&meta](int each) { return each >= meta.low && each <= meta.high; };
+    if (!std::ranges::all_of(read, isWithin)) {
+        fields.complain(meta.key, kMustLieBetween, meta.low, meta.high);
+        return;
+    }
+    values = std::move(read);
 }
 void readValue(JsonFields& fields, const FieldMeta& meta, std::vector<PaintColor>& values)
 {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/HandEditJson.h"
 
-#include <algorithm>
-#include <cstdint>
 #include <set>
 #include <string>
 
@@ -40,12 +38,7 @@ Result<std::vector<HandEdit>> readHandEdits(const std::string& text)
     if (!problem.empty()) {
         return Error{problem};
     }
-    for (std::size_t i = 0; i < edits.size(); ++i) {
-        HandEdit& edit = edits[i];
-        if (std::ranges::any_of(edit.people, [](int id) { return id < 1; })) {
-            return Error{QT_TRANSLATE_NOOP("Messages", "%1 must lie between %2 and %3"),
-                         "edits[" + std::to_string(i) + "].people", 1, INT32_MAX};
-        }
+    for (HandEdit& edit : edits) {
         const std::set<int> people(edit.people.begin(), edit.people.end());
         edit.people.assign(people.begin(), people.end());
     }

@@ -50,6 +50,12 @@ void tst_BrushSettings::wrongPresetsAreRefusedByName_data()
     QTest::newRow("a number that is too large")
         << QStringLiteral("{\"brush\":\"colour\",\"radius\":1e9}")
         << QStringLiteral("brush.radius");
+    QTest::newRow("a tag that is too large")
+        << QStringLiteral("{\"brush\":\"colour\",\"mask\":{\"tags\":[3,64]}}")
+        << QStringLiteral("brush.mask.tags must lie between 0 and 63");
+    QTest::newRow("a template below all")
+        << QStringLiteral("{\"brush\":\"template\",\"settings\":{\"templates\":[-1]}}")
+        << QStringLiteral("brush.settings.templates must lie between");
     QTest::newRow("a setting of another brush")
         << QStringLiteral("{\"brush\":\"colour\",\"settings\":{\"speed\":1}}")
         << QStringLiteral("brush.settings has no \"speed\"");
