@@ -1107,6 +1107,14 @@
         <source>Runs that were kept: show, compare, take parts again</source>
         <translation>Behaltene Läufe: zeigen, vergleichen, Teile neu spielen</translation>
     </message>
+    <message>
+        <source>Reta&amp;ke</source>
+        <translation>&amp;Neu spielen lassen</translation>
+    </message>
+    <message>
+        <source>Let the characters under the brush do it again while all others do what they did in the take</source>
+        <translation>Die Figuren unter dem Pinsel neu spielen lassen, während alle anderen tun, was sie im Take taten</translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -1133,6 +1141,10 @@
     <message>
         <source>Choose in the settings which state characters get back</source>
         <translation>In den Einstellungen wählen, welchen Zustand Figuren zurückbekommen</translation>
+    </message>
+    <message>
+        <source>No take is shown: keep what was played, then choose it in the Takes panel</source>
+        <translation>Es wird kein Take gezeigt: Behalten Sie, was gespielt wurde, und wählen Sie es dann im Bedienfeld Takes</translation>
     </message>
 </context>
 <context>
@@ -1606,6 +1618,17 @@
         <source>Taken: %1</source>
         <translation>Übernommen: %1</translation>
     </message>
+    <message>
+        <source>Drag: choose who does it again; they begin when you let go</source>
+        <translation>Ziehen: wählen, wer neu spielt; sie beginnen beim Loslassen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters do it again…</source>
+        <translation>
+            <numerusform>%n Figur spielt neu …</numerusform>
+            <numerusform>%n Figuren spielen neu …</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Brushes</name>
@@ -1998,6 +2021,21 @@
     <message>
         <source>Their relations are like that already</source>
         <translation>Ihre Beziehungen sind schon so</translation>
+    </message>
+    <message numerus="yes">
+        <source>Retake %n character(s)</source>
+        <translation>
+            <numerusform>%n Figur neu spielen</numerusform>
+            <numerusform>%n Figuren neu spielen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No take is shown: keep what was played, then choose it in the Takes panel</source>
+        <translation>Es wird kein Take gezeigt: Behalten Sie, was gespielt wurde, und wählen Sie es dann im Bedienfeld Takes</translation>
+    </message>
+    <message>
+        <source>Another take is still being made: wait for it</source>
+        <translation>Ein anderer Take entsteht noch: Warten Sie, bis er fertig ist</translation>
     </message>
 </context>
 <context>
@@ -3977,6 +4015,62 @@
         <source>Not after the beginning: to the end of the take</source>
         <translation>Nicht nach dem Anfang: bis zum Ende des Takes</translation>
     </message>
+    <message>
+        <source>The play range</source>
+        <translation>Der Abspielbereich</translation>
+    </message>
+    <message>
+        <source>From now to the end</source>
+        <translation>Von jetzt bis zum Ende</translation>
+    </message>
+    <message>
+        <source>From now for a while</source>
+        <translation>Von jetzt an eine Weile</translation>
+    </message>
+    <message>
+        <source>While a take is shown: those under the brush do this part of it again, by the rules and properties that they have now. Everybody else does what he did, and is avoided. The result is another take.</source>
+        <translation>Während ein Take gezeigt wird: Wer unter dem Pinsel ist, spielt diesen Teil neu, nach den Regeln und Eigenschaften, die er jetzt hat. Alle anderen tun, was sie taten, und man weicht ihnen aus. Das Ergebnis ist ein weiterer Take.</translation>
+    </message>
+    <message>
+        <source>The play range is set in the timeline; without one it is from now to the end</source>
+        <translation>Der Abspielbereich wird in der Zeitleiste gesetzt; ohne ihn ist es von jetzt bis zum Ende</translation>
+    </message>
+    <message>
+        <source>Retake</source>
+        <translation>Neu spielen</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Sekunden</translation>
+    </message>
+    <message>
+        <source>Which part</source>
+        <translation>Welcher Teil</translation>
+    </message>
+    <message>
+        <source>Different each time</source>
+        <translation>Jedes Mal anders</translation>
+    </message>
+    <message>
+        <source>Chance falls otherwise each time. Off: only what has been changed since makes a difference.</source>
+        <translation>Der Zufall fällt jedes Mal anders. Aus: Nur was seither geändert wurde, macht einen Unterschied.</translation>
+    </message>
+    <message>
+        <source>somebody else</source>
+        <translation>jemand anderes</translation>
+    </message>
+    <message>
+        <source>Of another template, doing what they do</source>
+        <translation>Von einer anderen Vorlage; sie tun, was sie tun</translation>
+    </message>
+    <message>
+        <source>Of template</source>
+        <translation>Von Vorlage</translation>
+    </message>
+    <message>
+        <source>Of several, each is of one</source>
+        <translation>Von mehreren hat jede Figur eine</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -4106,6 +4200,14 @@
     <message>
         <source>%1, %2–%3</source>
         <translation>%1, %2–%3</translation>
+    </message>
+    <message>
+        <source>somebody else: choose of which template</source>
+        <translation>jemand anderes: Wählen Sie, von welcher Vorlage</translation>
+    </message>
+    <message>
+        <source>somebody else: %1</source>
+        <translation>jemand anderes: %1</translation>
     </message>
 </context>
 <context>
@@ -6045,6 +6147,10 @@
     <message>
         <source>A take has at most %1 edits by hand, not %2.</source>
         <translation>Ein Take hat höchstens %1 Änderungen von Hand, nicht %2.</translation>
+    </message>
+    <message>
+        <source>The takes &quot;%1&quot; and &quot;%2&quot; have no time in common.</source>
+        <translation>Die Takes „%1“ und „%2“ haben keine gemeinsame Zeit.</translation>
     </message>
 </context>
 <context>
@@ -8662,6 +8768,10 @@
         <source>Relation Brush</source>
         <translation>Beziehungspinsel</translation>
     </message>
+    <message>
+        <source>Retake Brush</source>
+        <translation>Neuspielpinsel</translation>
+    </message>
 </context>
 <context>
     <name>ViewCommands</name>
@@ -11004,6 +11114,10 @@ Verworfen ist sie fort.</translation>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
+    <message>
+        <source>Somebody Else</source>
+        <translation>Jemand anderes</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::HistoryDock</name>
@@ -12350,6 +12464,21 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Colours the ground of the stages where characters can walk</source>
         <translation>Färbt den Boden der Bühnen, wo Figuren gehen können</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::TakeFigures</name>
+    <message>
+        <source>The whole takes are being compared: %1 %</source>
+        <translation>Die ganzen Takes werden verglichen: %1 %</translation>
+    </message>
+    <message>
+        <source>In the whole take everybody is as in &quot;%1&quot;.</source>
+        <translation>Im ganzen Take ist jede Figur wie in „%1“.</translation>
+    </message>
+    <message>
+        <source>In the whole take %1 of %2 are elsewhere than in &quot;%3&quot; at some time: from %4 on, %5 m at most, at %6.</source>
+        <translation>Im ganzen Take sind irgendwann %1 von %2 anderswo als in „%3“: ab %4, höchstens %5 m, bei %6.</translation>
     </message>
 </context>
 <context>

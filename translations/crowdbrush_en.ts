@@ -1107,6 +1107,14 @@
         <source>Runs that were kept: show, compare, take parts again</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Reta&amp;ke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the characters under the brush do it again while all others do what they did in the take</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -1132,6 +1140,10 @@
     </message>
     <message>
         <source>Choose in the settings which state characters get back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No take is shown: keep what was played, then choose it in the Takes panel</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1606,6 +1618,17 @@
         <source>Taken: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Drag: choose who does it again; they begin when you let go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters do it again…</source>
+        <translation>
+            <numerusform>%n character does it again…</numerusform>
+            <numerusform>%n characters do it again…</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Brushes</name>
@@ -1997,6 +2020,21 @@
     </message>
     <message>
         <source>Their relations are like that already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Retake %n character(s)</source>
+        <translation>
+            <numerusform>Retake %n character</numerusform>
+            <numerusform>Retake %n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No take is shown: keep what was played, then choose it in the Takes panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another take is still being made: wait for it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3977,6 +4015,62 @@
         <source>Not after the beginning: to the end of the take</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The play range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From now to the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From now for a while</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While a take is shown: those under the brush do this part of it again, by the rules and properties that they have now. Everybody else does what he did, and is avoided. The result is another take.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The play range is set in the timeline; without one it is from now to the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retake</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Different each time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chance falls otherwise each time. Off: only what has been changed since makes a difference.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>somebody else</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of another template, doing what they do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of several, each is of one</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -4105,6 +4199,14 @@
     </message>
     <message>
         <source>%1, %2–%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>somebody else: choose of which template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>somebody else: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6044,6 +6146,10 @@
     </message>
     <message>
         <source>A take has at most %1 edits by hand, not %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The takes &quot;%1&quot; and &quot;%2&quot; have no time in common.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8662,6 +8768,10 @@
         <source>Relation Brush</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Retake Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ViewCommands</name>
@@ -10997,6 +11107,10 @@ Thrown away, it is gone.</source>
         <source>%1 (%2)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Somebody Else</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::HistoryDock</name>
@@ -12342,6 +12456,21 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Colours the ground of the stages where characters can walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::TakeFigures</name>
+    <message>
+        <source>The whole takes are being compared: %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the whole take everybody is as in &quot;%1&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the whole take %1 of %2 are elsewhere than in &quot;%3&quot; at some time: from %4 on, %5 m at most, at %6.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -27,6 +27,9 @@ struct BrushContext
     std::function<void(CrowdFrame&)> pose{};
     /// Tells a running session; empty: there is none. Ids ascend.
     std::function<void(const EventSettings&, std::span<const IndividualId>)> sendEvent{};
+    /// Lets people do a part of the take that is shown again; empty: none is shown. False: another
+    /// take is being made still. Ids ascend.
+    std::function<bool(const RetakeSettings&, std::span<const IndividualId>)> retake{};
     /// Where people can walk; asked only by brushes that create there alone. Empty: anywhere.
     WalkableGroundSource ground{};
     ScriptChange* script = nullptr; ///< what brushes of kind Script do; for those alone

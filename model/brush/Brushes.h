@@ -19,6 +19,7 @@
 #include "model/brush/changes/Push.h"
 #include "model/brush/changes/Relation.h"
 #include "model/brush/changes/Restore.h"
+#include "model/brush/changes/Retake.h"
 #include "model/brush/changes/Scale.h"
 #include "model/brush/changes/Script.h"
 #include "model/brush/changes/Shuffle.h"
@@ -58,7 +59,8 @@
     BRUSH(Parts, PartsSettings)                                                                    \
     BRUSH(Feature, FeatureSettings)                                                                \
     BRUSH(Outfit, OutfitSettings)                                                                  \
-    BRUSH(Relation, RelationSettings)
+    BRUSH(Relation, RelationSettings)                                                              \
+    BRUSH(Retake, RetakeSettings)
 
 namespace crowd::model {
 

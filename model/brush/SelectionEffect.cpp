@@ -144,6 +144,10 @@ void SelectionEffect::change(std::span<const IndividualId> ids, const StrokeLine
         send(ids);
         return;
     }
+    if (m_ground.settings.kind() == BrushKind::Retake) {
+        gather(ids);
+        return;
+    }
     const ChangeRequest request{*m_ground.edit,
                                 m_ground.settings,
                                 m_ground.context.view,
@@ -188,6 +192,27 @@ void SelectionEffect::send(std::span<const IndividualId> ids)
     }
     m_ground.context.sendEvent(m_ground.settings.as<EventSettings>(), ids);
     count(ids);
+}
+
+void SelectionEffect::gather(std::span<const IndividualId> ids)
+{
+    if (!m_ground.context.retake) {
+        m_reason = StrokeReason::NoTake;
+        return;
+    }
+    std::vector<IndividualId> all;
+    std::ranges::set_union(m_ground.gathered, ids, std::back_inserter(all));
+    m_ground.gathered = std::move(all);
+    m_affected = static_cast<int>(m_ground.gathered.size());
+}
+
+void SelectionEffect::retake()
+{
+    const auto& settings = m_ground.settings.as<RetakeSettings>();
+    if (!m_ground.gathered.empty() && !m_ground.context.retake(settings, m_ground.gathered)) {
+        m_reason = StrokeReason::TakeBusy;
+        m_affected = 0;
+    }
 }
 
 std::vector<IndividualId> SelectionEffect::thinned(std::vector<IndividualId> ids)
@@ -259,6 +284,10 @@ void SelectionEffect::apply(std::span<const StrokeDab> dabs)
 /// Events and scripts are not run again and again: they reach whom the area holds in the end.
 void SelectionEffect::end(const StrokeLine& line)
 {
+    if (m_ground.settings.kind() == BrushKind::Retake) {
+        retake();
+        return;
+    }
     if (!m_ground.settings.isReevaluated() || m_touched.empty()) {
         return;
     }
@@ -278,6 +307,7 @@ void SelectionEffect::reevaluate(const StrokeLine& line, double shownSeconds)
     m_ground.edit->rollback();
     std::ranges::fill(m_isChanged, 0);
     m_affected = 0;
+    m_ground.gathered.clear();
     m_reason = StrokeReason::NobodyUnderBrush;
     if (settings.hasWholeArea()) {
         showTime(shownSeconds);

@@ -42,6 +42,9 @@ private:
     void relate(std::span<const IndividualId> ids);
     void settleRelations();
     void send(std::span<const IndividualId> ids);
+    /// Who does a take again: all together, at the release.
+    void gather(std::span<const IndividualId> ids);
+    void retake();
     void change(std::span<const IndividualId> ids, const StrokeLine& line, std::uint64_t seed,
                 std::optional<float> heading);
     void count(std::span<const IndividualId> changed);

@@ -287,7 +287,9 @@ StrokeOutcome Stroke::finish()
     outcome.isCommitted =
         d.ground.edit->commit(strokeText(d.ground.settings, outcome.affected), &d.recording);
     d.ground.edit.reset();
-    outcome.isSent = d.ground.settings.kind() == BrushKind::Event && outcome.affected > 0;
+    const BrushKind kind = d.ground.settings.kind();
+    outcome.isSent =
+        (kind == BrushKind::Event || kind == BrushKind::Retake) && outcome.affected > 0;
     outcome.reason = outcome.isCommitted || outcome.isSent ? StrokeReason::None : d.work->reason();
     if (!outcome.isCommitted && !outcome.isSent && outcome.reason == StrokeReason::None) {
         outcome.reason = StrokeReason::ScriptChangedNothing;
@@ -295,7 +297,7 @@ StrokeOutcome Stroke::finish()
     if (outcome.reason == StrokeReason::SourcesChosen && !d.recording.selected.empty()) {
         outcome.chosen = d.recording.selected.back();
     }
-    outcome.message = reasonText(outcome.reason, d.ground.settings.kind());
+    outcome.message = reasonText(outcome.reason, kind);
     return outcome;
 }
 
@@ -308,6 +310,11 @@ void Stroke::cancel()
 int Stroke::affected() const
 {
     return m_private->work->affected();
+}
+
+std::span<const IndividualId> Stroke::gathered() const
+{
+    return m_private->ground.gathered;
 }
 
 const BrushSettings& Stroke::settings() const

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <QtCore/QString>
@@ -53,7 +54,9 @@ enum class StrokeReason : std::uint8_t {
     NobodyElse,     ///< it takes two to be related
     NothingToErase, ///< none of them has such a relation
     TooManyAtOnce,  ///< relations of one stroke
-    SourcesChosen   ///< and now those to whom they are to be related
+    SourcesChosen,  ///< and now those to whom they are to be related
+    NoTake,         ///< none is shown of which people could do something again
+    TakeBusy        ///< another one is being made
 };
 
 /// What a brush says of ground that nobody can walk on.
@@ -65,7 +68,7 @@ enum class StrokeReason : std::uint8_t {
 struct StrokeOutcome
 {
     bool isCommitted = false; ///< one undo step was made
-    bool isSent = false;      ///< an event reached a session
+    bool isSent = false;      ///< an event reached a session, or people begin a take again
     int affected = 0;         ///< individuals created, removed or changed
     StrokeReason reason = StrokeReason::None;
     QString message;                    ///< reasonText()
@@ -121,6 +124,8 @@ public:
 
     /// Individuals created, removed or changed so far.
     [[nodiscard]] int affected() const;
+    /// Whom a brush that works at the release has gathered so far; ascending.
+    [[nodiscard]] std::span<const IndividualId> gathered() const;
     [[nodiscard]] const BrushSettings& settings() const;
     [[nodiscard]] const PointerInput& current() const;
 

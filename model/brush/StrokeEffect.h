@@ -26,6 +26,7 @@ struct StrokeContext
     std::vector<glm::ivec2> way{};                     ///< of the pointer, grid points, bends alone
     std::vector<std::vector<IndividualId>> selected{}; ///< so far, as RecordedStroke has it
     const RecordedStroke* before = nullptr; ///< whose selection is taken; null: it selects itself
+    std::vector<IndividualId> gathered{};   ///< see Stroke::gathered()
 };
 
 /// Goes on to a grid point; what lies straight between two bends is left out, so that the way is

@@ -97,9 +97,14 @@ constexpr ReasonText kReasons[] = {
      QT_TRANSLATE_NOOP("Brushes", "All of them sit: who sits keeps the seat")},
     {StrokeReason::NoState,
      QT_TRANSLATE_NOOP("Brushes", "Choose a state in the brush's settings first")},
+    {StrokeReason::NoTake,
+     QT_TRANSLATE_NOOP("Brushes", "No take is shown: keep what was played, then choose it in the "
+                                  "Takes panel")},
+    {StrokeReason::TakeBusy,
+     QT_TRANSLATE_NOOP("Brushes", "Another take is still being made: wait for it")},
 };
 
-constexpr auto kLast = StrokeReason::SourcesChosen;
+constexpr auto kLast = StrokeReason::TakeBusy;
 constexpr std::size_t kSilent = 3; ///< None, Cancelled and Unchanged, which each brush says itself
 static_assert(std::size(kReasons) + kSilent == static_cast<std::size_t>(kLast) + 1);
 

@@ -15,8 +15,8 @@
 
 /// Rules as data: "when this happens, and these conditions hold, do this sequence". What they mean
 /// is behavior's affair. Metres, seconds. The parts are made of what they hold:
-/// rule.actions = {actions::Stop(), actions::SetSpeed{2.0F}}. They are copied, moved and described in
-/// Rule.cpp alone: a variant of many kinds takes long to compile wherever it is.
+/// rule.actions = {actions::Stop(), actions::SetSpeed{2.0F}}. They are copied, moved and described
+/// in Rule.cpp alone: a variant of many kinds takes long to compile wherever it is.
 namespace crowd::model {
 
 extern template std::span<const RuleKind> kindsOf<TriggerData>();

@@ -159,7 +159,8 @@ inline std::vector<BrushKind> paintingBrushes()
     std::vector<BrushKind> kinds;
     for (const BrushKind kind : shownBrushes()) {
         const bool isPainting = brushType(kind).info.family != StrokeFamily::Places &&
-                                kind != BrushKind::Event && kind != BrushKind::Script;
+                                kind != BrushKind::Event && kind != BrushKind::Retake &&
+                                kind != BrushKind::Script;
         if (isPainting) {
             kinds.push_back(kind);
         }

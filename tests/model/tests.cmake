@@ -13,6 +13,7 @@ crowd_add_tests(ROOM model
     tst_BrushNeighbours
     tst_BrushOrientation
     tst_BrushReach
+    tst_BrushRetake
     tst_BrushSampler
     tst_BrushSettings
     tst_BrushStroke

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/commands/TakeCommands.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <QtCore/QCoreApplication>
 
 #include "behavior/session/MotionCache.h"
@@ -14,6 +17,21 @@ struct TakeText
 {
     Q_DECLARE_TR_FUNCTIONS(TakeCommands)
 };
+
+/// Seconds of the clock.
+std::pair<double, double> stretchOf(const EditorState& state, const model::Take& take,
+                                    const model::RetakeSettings& how)
+{
+    const model::PlayRange& range = state.scene().playRange;
+    const bool isRange = range.isSet() && range.end > take.begin && range.begin < take.end;
+    if (how.stretch == model::RetakeStretch::PlayRange && isRange) {
+        return {range.begin, range.end};
+    }
+    const double now = state.transport().seconds();
+    return {now, how.stretch == model::RetakeStretch::ForSeconds
+                     ? std::min(take.end, now + static_cast<double>(how.seconds))
+                     : take.end};
+}
 
 } // namespace
 
@@ -43,6 +61,17 @@ bool canRetake(const EditorState& state)
            state.takes().keptShare() < 0.0F;
 }
 
+bool retake(EditorState& state, std::span<const model::IndividualId> ids,
+            const model::RetakeSettings& how)
+{
+    const model::Take* shown = model::findTake(state.scene().takes, state.session().take());
+    if (shown == nullptr) {
+        return false;
+    }
+    const auto [begin, end] = stretchOf(state, *shown, how);
+    return state.takes().retake({ids.begin(), ids.end()}, begin, end, how.isDifferent);
+}
+
 void retakeSelected(EditorState& state)
 {
     const model::Take* shown = model::findTake(state.scene().takes, state.session().take());
@@ -56,11 +85,7 @@ void retakeSelected(EditorState& state)
         state.showStatus(TakeText::tr("Select those who are to be taken again."));
         return;
     }
-    const model::PlayRange& range = state.scene().playRange;
-    const bool isRange = range.isSet() && range.end > shown->begin && range.begin < shown->end;
-    const double begin = isRange ? range.begin : state.transport().seconds();
-    const double end = isRange ? range.end : shown->end;
-    if (!state.takes().retake({ids.begin(), ids.end()}, begin, end)) {
+    if (!retake(state, ids, model::RetakeSettings())) {
         state.showStatus(TakeText::tr("Another take is still being kept."));
     }
 }

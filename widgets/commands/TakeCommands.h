@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
+#include "model/brush/changes/Retake.h"
 #include "model/scene/Take.h"
 #include "widgets/state/EditorState.h"
 
@@ -14,6 +17,9 @@ void keepTake(EditorState& state);
 /// The selected people of the take that is shown do something else in the play range, where that
 /// is set, else from the moment shown to the take's end.
 [[nodiscard]] bool canRetake(const EditorState& state);
+/// Those do. False: no take is shown, or another one is being kept still; nothing is said.
+bool retake(EditorState& state, std::span<const model::IndividualId> ids,
+            const model::RetakeSettings& how);
 void retakeSelected(EditorState& state);
 /// 0: the scene as it plays.
 void showTake(EditorState& state, model::TakeId id);

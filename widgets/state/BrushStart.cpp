@@ -191,6 +191,10 @@ QString missingOf(const EditorState& state, BrushKind kind)
         std::ranges::find(scene.states, restore->state, &model::State::id) == scene.states.end()) {
         return BrushStartText::tr("Choose in the settings which state characters get back");
     }
+    if (kind == BrushKind::Retake && state.session().take() == 0) {
+        return BrushStartText::tr("No take is shown: keep what was played, then choose it in the "
+                                  "Takes panel");
+    }
     const auto* templates = brush.find<model::TemplateSettings>();
     if (templates != nullptr && templates->templates.empty()) {
         return BrushStartText::tr("Choose in the settings which templates characters become");

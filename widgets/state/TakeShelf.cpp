@@ -116,7 +116,8 @@ struct TakeShelf::Anew
     float furthest = 0.0F;
 };
 
-bool TakeShelf::retake(std::vector<model::IndividualId> ids, double begin, double end)
+bool TakeShelf::retake(std::vector<model::IndividualId> ids, double begin, double end,
+                       bool isDifferent)
 {
     const model::Take* shown = model::findTake(m_document.scene().takes, m_session.take());
     if (shown == nullptr || m_task.isRunning()) {
@@ -125,7 +126,7 @@ bool TakeShelf::retake(std::vector<model::IndividualId> ids, double begin, doubl
     m_name = freeTakeName(m_document.scene());
     m_share = 0.0F;
     behavior::RetakeWish wish{std::move(ids), begin, end,
-                              model::freeTakeId(m_document.scene().takes),
+                              isDifferent ? model::freeTakeId(m_document.scene().takes) : 0,
                               shown->areEditsOn ? shown->edits : std::vector<model::HandEdit>()};
     m_task.start(
         [scene = m_document.scene(), motion = m_session.motion(), wish = std::move(wish),
@@ -281,11 +282,13 @@ void TakeShelf::followScene(const model::SceneChange& change)
     if (isOneOf<model::SceneReplaced>(change)) {
         m_task.cancel(); // what was played was of another scene
     }
-    if (!m_ghost || !isOneOf<model::TakesChanged, model::SceneReplaced>(change)) {
+    if (!m_ghost ||
+        !isOneOf<model::TakesChanged, model::TemplatesChanged, model::SceneReplaced>(change)) {
         return;
     }
     const model::Take* take = model::findTake(m_document.scene().takes, m_ghost->id());
-    if (take == nullptr || !m_ghost->shows(*take)) {
+    const bool knowsTemplates = !isOneOf<model::TemplatesChanged>(change);
+    if (take == nullptr || !m_ghost->shows(*take) || !knowsTemplates) {
         setGhost(take != nullptr ? take->id : 0);
     }
 }

@@ -45,8 +45,8 @@ public:
     bool keep(const QString& name);
     /// Some people of the take that is shown do something else in a stretch of time, everybody else
     /// what he did: that becomes another take, which is shown. False: no take is shown, or another
-    /// one is being kept still.
-    bool retake(std::vector<model::IndividualId> ids, double begin, double end);
+    /// one is being kept still. `isDifferent`: dice fall otherwise than in the run.
+    bool retake(std::vector<model::IndividualId> ids, double begin, double end, bool isDifferent);
     /// The share that is written; below 0: none is being kept.
     [[nodiscard]] float keptShare() const { return m_share; }
     /// Nobody waits any more for what is being kept.

@@ -69,7 +69,7 @@ void PressedWay::show(ToolPicture& picture, int affected) const
         picture.gradient = QLineF(m_press.position(), m_current.position());
     }
     if (m_settings.isReevaluated() || m_settings.kind() == BrushKind::Create ||
-        m_settings.kind() == BrushKind::Script) {
+        m_settings.kind() == BrushKind::Script || m_settings.kind() == BrushKind::Retake) {
         picture.label = BrushDragsText::tr("%n characters", nullptr, affected);
     }
 }
@@ -101,12 +101,26 @@ StrokeDrag::StrokeDrag(const ToolContext& context, const BrushSettings& settings
                                     settings, seed, press.pointer)),
       m_way(settings, press)
 {
+    const auto selected = context.state.selection().ids();
+    m_selectedBefore.assign(selected.begin(), selected.end());
+    showGathered();
 }
 
 void StrokeDrag::paint()
 {
     if (m_stroke) {
         m_stroke->move(m_way.pointer());
+        showGathered();
+    }
+}
+
+/// Who will be meant is selected, so that one sees it, and can go on with them.
+void StrokeDrag::showGathered()
+{
+    if (m_stroke && m_stroke->settings().kind() == BrushKind::Retake) {
+        const auto gathered = m_stroke->gathered();
+        m_context.state.selection().set(
+            gathered.empty() ? std::span<const model::IndividualId>(m_selectedBefore) : gathered);
     }
 }
 
@@ -150,6 +164,9 @@ void StrokeDrag::cancel()
 {
     if (m_stroke) {
         m_stroke->cancel();
+        if (m_stroke->settings().kind() == BrushKind::Retake) {
+            m_context.state.selection().set(m_selectedBefore);
+        }
         m_stroke.reset();
         m_context.state.showStatus(BrushDragsText::tr("The stroke was taken back."));
     }

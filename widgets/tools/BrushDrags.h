@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "model/brush/Stroke.h"
 #include "widgets/tools/ScriptPainter.h"
@@ -54,10 +55,12 @@ public:
 
 private:
     void paint();
+    void showGathered();
 
     ToolContext m_context;
     std::unique_ptr<model::Stroke> m_stroke;
     PressedWay m_way;
+    std::vector<model::IndividualId> m_selectedBefore;
 };
 
 /// A stroke of a script brush: it goes on, and is taken back, where scripts run.

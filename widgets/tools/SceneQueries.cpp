@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "widgets/commands/TakeCommands.h"
 #include "widgets/state/SceneChanges.h"
 
 namespace crowd::widgets {
@@ -63,6 +64,12 @@ model::BrushContext SceneQueries::brushContext()
         context.sendEvent = [&session](const model::EventSettings& event,
                                        std::span<const model::IndividualId> ids) {
             session.send(event, ids);
+        };
+    }
+    if (session.take() != 0) {
+        context.retake = [&state = m_state](const model::RetakeSettings& how,
+                                            std::span<const model::IndividualId> ids) {
+            return retake(state, ids, how);
         };
     }
     return context;
