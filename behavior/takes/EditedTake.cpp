@@ -315,14 +315,29 @@ EditedTake::EditedTake(std::shared_ptr<MotionCache> motion, std::vector<HandEdit
     gather(edits, scene);
 }
 
+/// What begins between two steps is seen at once: from the one before on.
+HandEdit EditedTake::fromItsStep(HandEdit edit)
+{
+    const SessionPosePtr step = edit.begin > m_first && edit.begin <= m_last
+                                    ? m_reader.around(edit.begin + kWithinStep).first
+                                    : nullptr;
+    edit.begin = step ? step->seconds : edit.begin;
+    return edit;
+}
+
 /// Who is moved by the same edits of time has the same own time.
 void EditedTake::gather(const std::vector<HandEdit>& edits, const model::Scene& scene)
 {
     std::map<model::IndividualId, std::vector<std::size_t>> ofPeople;
     for (std::size_t i = 0; i < edits.size(); ++i) {
         std::vector<model::IndividualId> edited = peopleOf(edits[i]);
+        if (edits[i].kind == HandEditKind::Swap) {
+            m_swaps.push_back(
+                {fromItsStep(edits[i]), SwappedPeople(scene, edited, edits[i].templates)});
+            continue;
+        }
         if (!isOfTime(edits[i].kind)) {
-            m_layers.push_back({edits[i], std::move(edited), {}});
+            m_layers.push_back({fromItsStep(edits[i]), std::move(edited), {}});
             continue;
         }
         for (const model::IndividualId id : edited) {
@@ -358,10 +373,20 @@ void EditedTake::gather(const std::vector<HandEdit>& edits, const model::Scene& 
     }
 }
 
+void EditedTake::setPeople(const model::Population& people)
+{
+    for (Swap& swap : m_swaps) {
+        if (swap.people.setPeople(people)) {
+            m_from = {};
+            m_made = {};
+        }
+    }
+}
+
 std::pair<SessionPosePtr, SessionPosePtr> EditedTake::around(double seconds)
 {
     const auto [before, after] = m_reader.around(seconds);
-    if (!before || (m_groups.empty() && m_layers.empty())) {
+    if (!before || !isEdited()) {
         return {before, after};
     }
     const SessionPosePtr first = edited(before);
@@ -370,7 +395,7 @@ std::pair<SessionPosePtr, SessionPosePtr> EditedTake::around(double seconds)
 
 SessionPosePtr EditedTake::edited(const SessionPosePtr& pose)
 {
-    if (!pose || (m_groups.empty() && m_layers.empty())) {
+    if (!pose || !isEdited()) {
         return pose;
     }
     if (pose == m_from.first) {
@@ -382,6 +407,12 @@ SessionPosePtr EditedTake::edited(const SessionPosePtr& pose)
     auto made = std::make_shared<SessionPose>(*inOwnTime(withEverybody(pose)));
     for (Layer& layer : m_layers) {
         apply(*made, layer);
+    }
+    std::set<model::IndividualId> swapped; // by the last edit that says so
+    for (std::size_t i = m_swaps.size(); i-- > 0;) {
+        if (shareOf(m_swaps[i].edit, pose->seconds) > 0.0F) {
+            m_swaps[i].people.apply(*made, swapped);
+        }
     }
     m_from = {m_from.second, pose};
     m_made = {m_made.second, made};
@@ -487,7 +518,7 @@ float EditedTake::shareOf(const HandEdit& edit, double seconds) const
     if (seconds < edit.begin - kWithinStep || (hasEnd && seconds >= edit.end - kWithinStep)) {
         return 0.0F;
     }
-    if (edit.kind == HandEditKind::Hide) {
+    if (edit.kind == HandEditKind::Hide || edit.kind == HandEditKind::Swap) {
         return 1.0F;
     }
     const double metres = std::abs(static_cast<double>(edit.aside));

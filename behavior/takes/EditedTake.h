@@ -13,6 +13,7 @@
 #include "behavior/agents/ClipPlace.h"
 #include "behavior/session/MotionReader.h"
 #include "behavior/takes/EditedTime.h"
+#include "behavior/takes/SwappedPeople.h"
 #include "model/base/Result.h"
 #include "model/scene/Scene.h"
 
@@ -32,6 +33,8 @@ public:
                const model::Scene& scene);
 
     [[nodiscard]] const std::shared_ptr<MotionCache>& motion() const { return m_motion; }
+    /// The scene's people, who may have been edited since it was opened.
+    void setPeople(const model::Population& people);
     /// As MotionReader::around().
     [[nodiscard]] std::pair<SessionPosePtr, SessionPosePtr> around(double seconds);
     /// A step of the take as it is seen.
@@ -61,8 +64,20 @@ private:
         std::vector<glm::vec2> offsets;          ///< metres, one each; none: not known yet
     };
 
+    /// People who are of other templates for a while.
+    struct Swap
+    {
+        model::HandEdit edit;
+        SwappedPeople people;
+    };
+
+    [[nodiscard]] bool isEdited() const
+    {
+        return !m_groups.empty() || !m_layers.empty() || !m_swaps.empty();
+    }
     [[nodiscard]] SessionPosePtr withEverybody(const SessionPosePtr& pose) const;
     void gather(const std::vector<model::HandEdit>& edits, const model::Scene& scene);
+    [[nodiscard]] model::HandEdit fromItsStep(model::HandEdit edit);
     [[nodiscard]] SessionPosePtr inOwnTime(const SessionPosePtr& pose);
     void findOffsets(Layer& layer);
     [[nodiscard]] float shareOf(const model::HandEdit& edit, double seconds) const;
@@ -75,6 +90,7 @@ private:
     SessionPose m_scene; ///< those who are edited, as the scene has them
     std::vector<Group> m_groups;
     std::vector<Layer> m_layers;
+    std::vector<Swap> m_swaps;
     /// What was made last, and of what.
     std::pair<SessionPosePtr, SessionPosePtr> m_from;
     std::pair<SessionPosePtr, SessionPosePtr> m_made;

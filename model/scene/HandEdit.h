@@ -19,7 +19,8 @@ enum class HandEditKind : std::uint8_t {
     Shift, ///< does everything later, or earlier
     Pace,  ///< does it slower or faster for a while, or stands still
     Aside, ///< goes beside his way
-    Hide   ///< is not seen
+    Hide,  ///< is not seen
+    Swap   ///< is somebody else, of another template
 };
 
 inline constexpr double kMostShift = 3600.0; ///< seconds
@@ -43,6 +44,9 @@ struct HandEdit
     double later = 0.0; ///< seconds, of Shift; below 0: earlier
     float pace = 0.5F;  ///< times as fast, of Pace; 0: stands still
     float aside = 1.0F; ///< metres to the right of where he looks when it begins, of Aside
+    /// Ids of those that they are of meanwhile, of Swap: of several each is of one, always the
+    /// same.
+    std::vector<int> templates{};
     std::string unknownMembers{}; ///< see Scene::unknownMembers
 
     static constexpr auto fields();
@@ -61,7 +65,9 @@ inline constexpr std::array kHandEdits{
     FieldChoice{"aside", QT_TRANSLATE_NOOP("Fields", "beside their way"),
                 QT_TRANSLATE_NOOP("Fields", "To the right or to the left")},
     FieldChoice{"hide", QT_TRANSLATE_NOOP("Fields", "hidden"),
-                QT_TRANSLATE_NOOP("Fields", "Nobody sees them for a while")}};
+                QT_TRANSLATE_NOOP("Fields", "Nobody sees them for a while")},
+    FieldChoice{"swap", QT_TRANSLATE_NOOP("Fields", "somebody else"),
+                QT_TRANSLATE_NOOP("Fields", "Of another template, doing what they do")}};
 
 constexpr auto HandEdit::fields()
 {
@@ -112,6 +118,15 @@ constexpr auto HandEdit::fields()
                                  .sliderHigh = 5.0,
                                  .decimals = 2})
             .when([](const HandEdit& s, const C&) { return s.kind == HandEditKind::Aside; }),
+        field(&HandEdit::templates,
+              {.key = "templates",
+               .label = QT_TRANSLATE_NOOP("Fields", "Of template"),
+               .tip = QT_TRANSLATE_NOOP("Fields", "Of several, each is of one"),
+               .doc = "ids of the templates that they are of meanwhile, of \"swap\"",
+               .high = 65535.0,
+               .role = FieldRole::Template,
+               .zero = QT_TRANSLATE_NOOP("Fields", "none chosen")})
+            .when([](const HandEdit& s, const C&) { return s.kind == HandEditKind::Swap; }),
         field(&HandEdit::begin, {.key = "begin",
                                  .label = QT_TRANSLATE_NOOP("Fields", "From"),
                                  .tip = QT_TRANSLATE_NOOP("Fields", "By the clock"),

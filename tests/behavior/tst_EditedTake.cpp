@@ -2,7 +2,10 @@
 #include "behavior/takes/EditedTake.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
+#include <set>
 
 #include <QtTest/QTest>
 
@@ -86,10 +89,15 @@ private Q_SLOTS:
     void whoStandsStillRests();
     void asideIsBesideTheWay();
     void hiddenIsGoneForAWhile();
+    void whatBeginsBetweenTwoStepsIsSeenAtOnce();
     void nobodyElseNotices();
     void editsOfTheSamePeopleAddUp();
     void whoIsNotMovedIsEditedToo();
     void whatIsOffOrOfNobodyIsNothing();
+    void somebodyElseDoesTheSame();
+    void ofSeveralTemplatesAndEditsEachHasOne();
+    void whatRulesHaveMadeOfThemGoesOver();
+    void templatesThatAreGoneAreNoneOfTheirs();
     void whoActsAgainAvoidsThemWhereTheyAreSeen();
 
 private:
@@ -144,10 +152,9 @@ void TestEditedTake::timeGoesAsItIsTold_data()
     forGood.end = 0.0;
     HandEdit twice = half;
     twice.pace = 2.0F;
-    const auto row = [](const char* name, std::vector<HandEdit> edits, double shown, double own,
-                        double pace) {
-        QTest::newRow(name) << std::move(edits) << shown << own << pace;
-    };
+    const auto row = [](const char* name, const std::vector<HandEdit>& edits, double shown,
+                        double own,
+                        double pace) { QTest::newRow(name) << edits << shown << own << pace; };
     row("nothing", {}, 3.0, 3.0, 1.0);
     row("later", {later}, 3.0, 1.0, 1.0);
     row("not begun", {later}, 1.0, 0.0, 0.0);
@@ -272,6 +279,14 @@ void TestEditedTake::hiddenIsGoneForAWhile()
     QVERIFY(frame.population.column(model::columns::position)[2].y > -1.0F);
 }
 
+/// Who hides somebody at the moment that is shown sees it.
+void TestEditedTake::whatBeginsBetweenTwoStepsIsSeenAtOnce()
+{
+    const double begin = 1.0 + kEditedStep / 2.0;
+    QVERIFY(seen({editOf(HandEditKind::Hide, begin)}, begin).isGone);
+    QVERIFY(!seen({editOf(HandEditKind::Hide, begin)}, begin - kEditedStep).isGone);
+}
+
 void TestEditedTake::nobodyElseNotices()
 {
     HandEdit still = editOf(HandEditKind::Pace, 1.0);
@@ -331,6 +346,149 @@ void TestEditedTake::whatIsOffOrOfNobodyIsNothing()
     many.motion = nullptr;
     many.problem = model::Message("gone");
     QVERIFY(!EditedTake::open(many, m_scene));
+}
+
+namespace {
+
+constexpr model::TemplateId kElse = 2;
+/// The actor with his clips the other way round, and shorter legs.
+model::Scene withSomebodyElse(model::Scene scene)
+{
+    model::TemplateEntry other = actorTemplate();
+    auto asset = std::make_shared<model::Template>(*other.asset);
+    std::ranges::reverse(asset->clips);
+    std::ranges::reverse(other.clipNames);
+    const auto last = static_cast<int>(asset->clips.size()) - 1;
+    asset->defaultClip = last - asset->defaultClip;
+    asset->seatedClip = last - asset->seatedClip;
+    for (model::Clip& clip : asset->clips) {
+        clip.speed *= 0.5F;
+    }
+    other.id = kElse;
+    other.name = "somebody else";
+    other.asset = std::move(asset);
+    scene.templates.push_back(std::move(other));
+    return scene;
+}
+
+HandEdit swapOf(std::vector<int> templates, double begin = 0.0, double end = 0.0)
+{
+    HandEdit edit = editOf(HandEditKind::Swap, begin, end);
+    edit.templates = std::move(templates);
+    return edit;
+}
+
+std::string clipNameOf(const model::Scene& scene, const model::Population& people, std::size_t row)
+{
+    const auto* entry = scene.findTemplate(people.column(model::columns::templateId)[row]);
+    return entry->clipNames[people.column(model::columns::clip)[row]];
+}
+
+/// Everybody as a picture has them.
+model::Population swappedPeople(EditedTake& take, const model::Scene& scene, double seconds)
+{
+    model::CrowdFrame frame;
+    frame.population = scene.population;
+    frame.seconds = seconds;
+    const auto [before, after] = take.around(seconds);
+    behavior::applyPose(*before, *after, frame);
+    return frame.population;
+}
+
+} // namespace
+
+void TestEditedTake::somebodyElseDoesTheSame()
+{
+    const model::Scene scene = withSomebodyElse(m_scene);
+    EditedTake plain(m_motion, {}, scene);
+    EditedTake take(m_motion, {swapOf({kElse}, 1.0, 3.0)}, scene);
+    for (const double seconds : {0.5, 1.0 + kEditedStep, 2.0, 3.5}) {
+        const model::Population before = swappedPeople(plain, scene, seconds);
+        const model::Population after = swappedPeople(take, scene, seconds);
+        const bool isSwapped = seconds >= 1.0 && seconds < 3.0;
+        const auto templates = after.column(model::columns::templateId);
+        QCOMPARE(templates[1], isSwapped ? kElse : model::TemplateId{1});
+        QCOMPARE(templates[2], model::TemplateId{1});
+        QCOMPARE(clipNameOf(scene, after, 1), clipNameOf(scene, before, 1));
+        const auto where = [](const model::Population& people) {
+            return people.column(model::columns::position)[1];
+        };
+        QVERIFY(where(after) == where(before));
+        const float pace = after.column(model::columns::playbackSpeed)[1] /
+                           before.column(model::columns::playbackSpeed)[1];
+        QVERIFY2(std::abs(pace - (isSwapped ? 2.0F : 1.0F)) < 0.01F,
+                 qPrintable(QString::number(pace)));
+    }
+    // At rest too, where no step of the take says anything of him.
+    QCOMPARE(swappedPeople(take, scene, 0.0).column(model::columns::templateId)[1],
+             model::TemplateId{1});
+    EditedTake always(m_motion, {swapOf({kElse})}, scene);
+    const model::Population first = swappedPeople(always, scene, 0.0);
+    QCOMPARE(first.column(model::columns::templateId)[1], kElse);
+    QCOMPARE(clipNameOf(scene, first, 1), std::string("idle"));
+}
+
+void TestEditedTake::ofSeveralTemplatesAndEditsEachHasOne()
+{
+    const model::Scene scene = withSomebodyElse(m_scene);
+    HandEdit everybody = swapOf({1, kElse});
+    everybody.people = {1, 2, 3, 4};
+    EditedTake take(m_motion, {everybody}, scene);
+    const model::Population people = swappedPeople(take, scene, 2.0);
+    const auto templates = people.column(model::columns::templateId);
+    QCOMPARE(std::ranges::count(templates, kElse), 2);
+    EditedTake twice(m_motion, {everybody, swapOf({1})}, scene); // the last one counts
+    EditedTake turned(m_motion, {swapOf({1}), everybody}, scene);
+    const auto of = [&scene](EditedTake& each) {
+        return swappedPeople(each, scene, 2.0).column(model::columns::templateId)[1];
+    };
+    QCOMPARE(of(twice), model::TemplateId{1});
+    QCOMPARE(of(turned), templates[1]);
+}
+
+/// Of others it says what it said.
+void TestEditedTake::whatRulesHaveMadeOfThemGoesOver()
+{
+    const model::Scene scene = withSomebodyElse(m_scene);
+    behavior::PropertyOverrides rules;
+    rules.set(model::columns::parts, 1, std::uint32_t{5});
+    rules.set(model::columns::height, 2, 1.5F);
+    behavior::SessionPose pose = *EditedTake(m_motion, {}, scene).around(2.0).first;
+    pose.overrides = rules.publish();
+    const std::vector<model::IndividualId> whom{2};
+    behavior::SwappedPeople swap(scene, whom, std::array{int{kElse}});
+    std::set<model::IndividualId> swapped;
+    swap.apply(pose, swapped);
+    QCOMPARE(swapped, std::set<model::IndividualId>{2});
+    const auto* parts = pose.overrides->column(model::ColumnId::Parts);
+    QCOMPARE(parts->ids, (std::vector<model::IndividualId>{1, 2}));
+    std::uint32_t first = 0;
+    std::memcpy(&first, parts->bytes.data(), sizeof(first));
+    QCOMPARE(first, 5U);
+    QCOMPARE(pose.overrides->column(model::ColumnId::Template)->ids, whom);
+    QCOMPARE(pose.overrides->column(model::ColumnId::Height)->ids, whom);
+    // Whoever the scene makes of another template meanwhile is of that one already.
+    model::Population edited = scene.population;
+    edited.setValues<model::TemplateId>(model::columns::templateId, whom, std::array{kElse});
+    QVERIFY(swap.setPeople(edited) && !swap.setPeople(edited));
+    behavior::SessionPose again = *EditedTake(m_motion, {}, scene).around(2.0).first;
+    const std::uint16_t clip = again.clips[1];
+    std::set<model::IndividualId> anew;
+    swap.apply(again, anew);
+    QCOMPARE(again.clips[1], clip);
+}
+
+void TestEditedTake::templatesThatAreGoneAreNoneOfTheirs()
+{
+    for (const std::vector<int>& templates : {std::vector<int>{}, {77}, {-1, 70'000}}) {
+        EditedTake take(m_motion, {swapOf(templates)}, m_scene);
+        QCOMPARE(swappedPeople(take, m_scene, 2.0).column(model::columns::templateId)[1],
+                 model::TemplateId{1});
+    }
+    HandEdit nobody = swapOf({kElse});
+    nobody.people = {77};
+    EditedTake take(m_motion, {nobody}, withSomebodyElse(m_scene));
+    QVERIFY(take.around(2.0).first);
 }
 
 /// Somebody who is brought into the way of who acts again.

@@ -127,6 +127,23 @@ class Takes(unittest.TestCase):
             self.scene.edit_take("Nobody", [])
         self.assertEqual(self.scene.takes[0].edits, kept)
 
+    def test_somebody_else_does_what_one_did(self):
+        self.keep()
+        other = self.scene.add_template("builtin:templates/horse.glb")
+        self.scene.show_take("First")
+        plain = self.scene.render(64, 36, time=0.91, camera=CAMERA).tobytes()
+        self.scene.edit_take("First", [{"kind": "swap", "people": [2], "templates": [other.id],
+                                        "begin": 0.5}])
+        self.assertEqual(self.scene.takes[0].edits[0]["templates"], [other.id])
+        self.assertNotEqual(self.scene.render(64, 36, time=0.91, camera=CAMERA).tobytes(), plain)
+        # What is shown before it begins, and by templates that are not there, is as it was.
+        early = self.scene.render(64, 36, time=0.41, camera=CAMERA).tobytes()
+        self.scene.edit_take("First", [{"kind": "swap", "people": [2], "templates": [4711]}])
+        self.assertEqual(self.scene.render(64, 36, time=0.91, camera=CAMERA).tobytes(), plain)
+        self.assertEqual(self.scene.render(64, 36, time=0.41, camera=CAMERA).tobytes(), early)
+        with self.assertRaisesRegex(crowdbrush.Error, "templates"):
+            self.scene.edit_take("First", [{"kind": "swap", "templates": [-3]}])
+
     def test_what_cannot_be(self):
         session, _ = self.keep()
         with self.assertRaisesRegex(crowdbrush.Error, "already"):

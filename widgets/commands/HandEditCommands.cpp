@@ -7,6 +7,7 @@
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
+#include <QtCore/QStringList>
 
 #include "model/document/SceneEdit.h"
 
@@ -42,7 +43,21 @@ QString metres(float value)
     return QLocale().toString(std::abs(static_cast<double>(value)), 'f', 1);
 }
 
-QString whatText(const HandEdit& edit)
+/// "somebody else: Woman, Man"
+QString swapText(const HandEdit& edit, const model::Scene& scene)
+{
+    QStringList names;
+    for (const int id : edit.templates) {
+        if (const auto* entry = scene.findTemplate(static_cast<model::TemplateId>(id))) {
+            names << QString::fromStdString(entry->name);
+        }
+    }
+    return names.isEmpty()
+               ? HandText::tr("somebody else: choose of which template")
+               : HandText::tr("somebody else: %1").arg(names.join(QStringLiteral(", ")));
+}
+
+QString whatText(const HandEdit& edit, const model::Scene& scene)
 {
     switch (edit.kind) {
     case HandEditKind::Shift: {
@@ -57,6 +72,8 @@ QString whatText(const HandEdit& edit)
     case HandEditKind::Aside:
         return edit.aside < 0.0F ? HandText::tr("%1 m to the left").arg(metres(edit.aside))
                                  : HandText::tr("%1 m to the right").arg(metres(edit.aside));
+    case HandEditKind::Swap:
+        return swapText(edit, scene);
     case HandEditKind::Hide:
         break;
     }
@@ -102,15 +119,31 @@ HandEdit wished(HandEditWish wish)
     case HandEditWish::Hidden:
         edit.kind = HandEditKind::Hide;
         break;
+    case HandEditWish::Swapped:
+        edit.kind = HandEditKind::Swap;
+        break;
     }
     return edit;
 }
 
+/// A first one that is not his own, where the scene has such.
+std::vector<int> otherTemplates(const model::Scene& scene, model::IndividualId person)
+{
+    const std::size_t row = scene.population.rowOf(person);
+    if (row == model::Population::npos) {
+        return {};
+    }
+    const model::TemplateId own = scene.population.column(model::columns::templateId)[row];
+    const auto other = std::ranges::find_if(
+        scene.templates, [own](const model::TemplateEntry& each) { return each.id != own; });
+    return other == scene.templates.end() ? std::vector<int>() : std::vector<int>{other->id};
+}
+
 } // namespace
 
-QString handEditText(const HandEdit& edit)
+QString handEditText(const HandEdit& edit, const model::Scene& scene)
 {
-    QString what = whatText(edit);
+    QString what = whatText(edit, scene);
     if (edit.kind == HandEditKind::Shift) {
         return what;
     }
@@ -151,13 +184,17 @@ bool addHandEdit(EditorState& state, HandEditWish wish)
     putTimes(edit, state, *shown);
     edit.people.assign(ids.begin(), ids.end());
     std::ranges::sort(edit.people);
+    if (edit.kind == HandEditKind::Swap) {
+        edit.templates = otherTemplates(state.scene(), ids.front());
+    }
     const auto people = static_cast<int>(edit.people.size());
     put(state, HandText::tr("Edit %n character(s) of the take", nullptr, people),
         withEdits(state, [&edit](model::Take& take) {
             take.edits.push_back(edit);
             take.areEditsOn = true;
         }));
-    state.showStatus(HandText::tr("%n character(s): %1.", nullptr, people).arg(handEditText(edit)));
+    state.showStatus(HandText::tr("%n character(s): %1.", nullptr, people)
+                         .arg(handEditText(edit, state.scene())));
     return true;
 }
 

@@ -16,7 +16,7 @@
 namespace crowd::widgets {
 
 /// What an artist adds by name.
-enum class HandEditWish { Later, Slower, Still, Aside, Hidden };
+enum class HandEditWish { Later, Slower, Still, Aside, Hidden, Swapped };
 
 /// For the selected people: from the moment shown, or within the play range where there is one.
 /// False: no take is shown, nobody is selected, or there is no room for more, which is said.
@@ -31,6 +31,6 @@ void removeHandEdit(EditorState& state, std::size_t edit);
 void selectPeopleOf(EditorState& state, std::size_t edit);
 
 /// "still, 0:05.0–0:07.5"
-[[nodiscard]] QString handEditText(const model::HandEdit& edit);
+[[nodiscard]] QString handEditText(const model::HandEdit& edit, const model::Scene& scene);
 
 } // namespace crowd::widgets

@@ -84,12 +84,13 @@ void HandEditsPanel::removeChosen()
 void HandEditsPanel::fillMenu()
 {
     auto* menu = new QMenu(m_add);
-    const std::array<std::pair<QString, HandEditWish>, 5> wishes{
+    const std::array<std::pair<QString, HandEditWish>, 6> wishes{
         {{tr("Later or Earlier"), HandEditWish::Later},
          {tr("Slower or Faster"), HandEditWish::Slower},
          {tr("Stand Still"), HandEditWish::Still},
          {tr("Beside Their Way"), HandEditWish::Aside},
-         {tr("Hidden"), HandEditWish::Hidden}}};
+         {tr("Hidden"), HandEditWish::Hidden},
+         {tr("Somebody Else"), HandEditWish::Swapped}}};
     for (const auto& [text, wish] : wishes) {
         menu->addAction(text, this, [this, wanted = wish] {
             if (addHandEdit(m_state, wanted)) {
@@ -185,7 +186,7 @@ void HandEditsPanel::fill(const std::vector<HandEdit>& edits)
             row < m_list->count() ? m_list->item(row) : new QListWidgetItem(m_list);
         const QString people =
             tr("%n character(s)", nullptr, static_cast<int>(edits[i].people.size()));
-        const QString text = handEditText(edits[i]);
+        const QString text = handEditText(edits[i], m_state.scene());
         item->setText(tr("%1 (%2)").arg(text).arg(edits[i].people.size()));
         item->setToolTip(tr("%1: %2").arg(people, text));
         item->setSizeHint({0, kEditHeight});

@@ -131,6 +131,9 @@ void SessionControl::followScene(const model::SceneChange& change)
     if (isOneOf<model::TakesChanged, model::SceneReplaced>(change)) {
         followTakes();
     }
+    if (m_take && isOneOf<model::TemplatesChanged>(change)) {
+        showTake(model::shownTake(m_document.scene().takes)); // its edits by hand know them
+    }
     m_isBehaviourStale = true;
     const bool isOfNoInterest =
         isOneOf<model::CamerasChanged, model::LightingChanged, model::LooksChanged,

@@ -43,6 +43,7 @@ behavior::SessionPosePtr TakePlayback::poseAt(double seconds) const
 
 bool TakePlayback::pose(model::CrowdFrame& frame) const
 {
+    m_edited->setPeople(frame.population);
     const auto [before, after] = m_edited->around(frame.seconds);
     if (!before) {
         return false;
