@@ -37,7 +37,10 @@ private Q_SLOTS:
     void nobodyIsToldAnythingMeanwhile();
     void anotherIsSeenAsGhosts();
     void someActAgainAndOthersDoWhatTheyDid();
+    void theyArePaintedToDoSo();
+    void twoAreComparedFromBeginningToEnd();
     void peopleOfItAreEditedByHand();
+    void oneOfThemIsSomebodyElse();
     void editsSurviveARetakeAndAFile();
     void thePanelShowsRenamesAndRemoves();
     void itIsThereAfterSavingAndOpening();
@@ -55,8 +58,11 @@ private:
     {
         return m_window->findChild<Widget*>(QString::fromLatin1(name));
     }
-    /// Somebody walks to the right for a second and a half.
-    void play(std::size_t people = 1);
+    /// Somebody walks to the right for a second and a half; of several, each `apart` metres before
+    /// the one before.
+    void play(std::size_t people = 1, float apart = 0.0F);
+    /// Where he is seen at the moment shown.
+    [[nodiscard]] QPoint pixelOf(std::size_t row) const;
     void keep();
     /// From now on he would walk the other way.
     void turnPath();
@@ -80,13 +86,27 @@ void TestTakes::press(Qt::Key key) const
     QTest::keyClick(m_window.get(), key, Qt::ControlModifier | Qt::AltModifier);
 }
 
-void TestTakes::play(std::size_t people)
+QPoint TestTakes::pixelOf(std::size_t row) const
+{
+    const glm::vec3 foot = state().frame()->population.column(model::columns::position)[row];
+    const model::View view(state().camera(), state().viewSize());
+    const glm::vec3 pixel = view.project(foot + glm::vec3(0.0F, 1.0F, 0.0F)).value();
+    return {static_cast<int>(pixel.x), static_cast<int>(pixel.y)};
+}
+
+void TestTakes::play(std::size_t people, float apart)
 {
     model::Scene scene = plainScene(people);
     scene.places = {{1, "here", {0.0F, 0.0F, 0.0F}, 1.0F}, {2, "there", {60.0F, 0.0F, 0.0F}, 1.0F}};
     scene.paths = {{1, "way", model::PathKind::Simple, {1, 2}}};
     scene.cues = {{1, "Go", "go", 1.0F, ""}};
     const auto ids = scene.population.ids();
+    std::vector<glm::vec3> spots(people);
+    for (std::size_t i = 0; i < people; ++i) {
+        spots[i].z = apart * static_cast<float>(i);
+    }
+    scene.population.setValues<glm::vec3>(model::columns::position,
+                                          std::vector(ids.begin(), ids.end()), spots);
     const model::PathId path = 1;
     scene.population.setValues<model::PathId>(
         model::columns::path, std::vector(ids.begin(), ids.end()), std::vector(ids.size(), path));
@@ -276,6 +296,79 @@ void TestTakes::someActAgainAndOthersDoWhatTheyDid()
     QVERIFY2(said.contains(QStringLiteral("Select")), qPrintable(said));
 }
 
+void TestTakes::theyArePaintedToDoSo()
+{
+    play(3, 2.0F);
+    QString said;
+    connect(&state(), &widgets::EditorState::statusMessage, this,
+            [&said](const QString& text) { said = text; });
+    const auto paint = [this](std::size_t row, bool isTakenBack = false) {
+        widgets::ViewportWidget* view = &m_window->viewport();
+        const QPoint at = pixelOf(row);
+        QTest::mouseMove(view, at);
+        QTest::mousePress(view, Qt::LeftButton, {}, at);
+        QTest::mouseMove(view, at + QPoint(2, 0));
+        if (isTakenBack) {
+            QTest::keyClick(view, Qt::Key_Escape);
+        }
+        QTest::mouseRelease(view, Qt::LeftButton, {}, at + QPoint(2, 0));
+    };
+    QTest::keyClick(&m_window->viewport(), Qt::Key_A, Qt::ShiftModifier);
+    QCOMPARE(state().tool(), widgets::ToolId::BrushRetake);
+    model::BrushSettings brush = state().brush(model::BrushKind::Retake);
+    brush.radiusPixels = 8.0F;
+    state().setBrush(brush);
+    transport().setSeconds(0.4);
+    paint(1); // of a run nobody does anything again
+    QVERIFY2(said.contains(QStringLiteral("No take is shown")), qPrintable(said));
+    keep();
+    press(Qt::Key_N);
+    const float before = xAt(1.4, 1);
+    const float other = xAt(1.4, 2);
+    turnPath();
+    const float begun = xAt(0.4, 1);
+    paint(1, true);
+    QVERIFY(state().selection().isEmpty());
+    QVERIFY(state().takes().keptShare() < 0.0F);
+    paint(1);
+    QCOMPARE(state().selection().size(), std::size_t{1}); // one sees who it is
+    QTRY_COMPARE_WITH_TIMEOUT(takes().size(), std::size_t{2}, kPatienceMs);
+    QCOMPARE(xAt(0.4, 1), begun);
+    QCOMPARE(xAt(1.4, 2), other);
+    QVERIFY(xAt(1.4, 1) < before - 0.2F);
+}
+
+void TestTakes::twoAreComparedFromBeginningToEnd()
+{
+    play(3);
+    keep();
+    showPanel();
+    auto* figures = child<QLabel>("takeFigures");
+    press(Qt::Key_N);
+    state().selection().set(
+        std::vector<model::IndividualId>{document().scene().population.ids()[1]});
+    turnPath();
+    transport().setSeconds(0.4);
+    press(Qt::Key_J);
+    QTRY_COMPARE_WITH_TIMEOUT(takes().size(), std::size_t{2}, kPatienceMs);
+    QVERIFY(!figures->isVisible());
+    child<QListWidget>("takesList")->setCurrentRow(1); // what was there before
+    child<QToolButton>("ghostTake")->click();
+    const auto says = [figures](const char* text) {
+        return figures->text().contains(QString::fromLatin1(text));
+    };
+    QTRY_VERIFY2_WITH_TIMEOUT(says("1 of 3"), qPrintable(figures->text()), kPatienceMs);
+    QVERIFY(figures->isVisible());
+    QVERIFY2(says("from 0:00 on"), qPrintable(figures->text()));
+    // What is done by hand to the one that is shown counts.
+    state().selection().selectAll();
+    transport().setSeconds(0.2);
+    child<QToolButton>("addHandEdit")->menu()->actions()[2]->trigger(); // still
+    QTRY_VERIFY2_WITH_TIMEOUT(says("3 of 3"), qPrintable(figures->text()), kPatienceMs);
+    child<QToolButton>("ghostTake")->click();
+    QVERIFY(!figures->isVisible());
+}
+
 void TestTakes::peopleOfItAreEditedByHand()
 {
     play(3);
@@ -326,8 +419,53 @@ void TestTakes::peopleOfItAreEditedByHand()
     for (QAction* action : add->menu()->actions()) {
         action->trigger();
     }
-    QCOMPARE(takes().front().edits.size(), std::size_t{5});
-    QCOMPARE(list->currentRow(), 4);
+    QCOMPARE(takes().front().edits.size(), std::size_t{6});
+    QCOMPARE(list->currentRow(), 5);
+    QVERIFY(takes().front().edits.back().templates.empty()); // the scene has no other one
+}
+
+void TestTakes::oneOfThemIsSomebodyElse()
+{
+    play(2, 2.0F);
+    document().edit(QStringLiteral("Import"), [this](model::SceneEdit& edit) {
+        model::TemplateEntry woman = document().scene().templates.front();
+        woman.id = 2;
+        woman.name = "woman";
+        edit.addTemplate(woman);
+    });
+    keep();
+    showPanel();
+    press(Qt::Key_N);
+    state().selection().set(
+        std::vector<model::IndividualId>{document().scene().population.ids()[1]});
+    transport().setSeconds(0.6);
+    child<QToolButton>("addHandEdit")->menu()->actions().back()->trigger();
+    const auto* list = child<QListWidget>("handEdits");
+    QVERIFY2(list->item(0)->text().contains(QStringLiteral("somebody else: woman")),
+             qPrintable(list->item(0)->text()));
+    const auto templateAt = [this](double seconds) {
+        transport().setSeconds(seconds);
+        return state().frame()->population.column(model::columns::templateId)[1];
+    };
+    QCOMPARE(templateAt(0.4), model::TemplateId{1});
+    QCOMPARE(templateAt(0.8), model::TemplateId{2});
+    QCOMPARE(document().scene().population.column(model::columns::templateId)[1],
+             model::TemplateId{1}); // the scene keeps him
+    // How the scene has him is how he is seen, whenever that is changed.
+    const model::Tint red{200, 10, 10, 255};
+    document().edit(QStringLiteral("Colour"), [this, &red](model::SceneEdit& edit) {
+        const std::vector<model::IndividualId> whom{document().scene().population.ids()[1]};
+        edit.setColumn(model::columns::tint(1), whom, std::span<const model::Tint>(&red, 1));
+    });
+    QVERIFY(state().frame()->population.column(model::columns::tint(1))[1] == red);
+    // Of none, as a file may say, he is himself.
+    model::Takes edited = takes();
+    edited.front().edits.front().templates.clear();
+    document().edit(QStringLiteral("Clear"),
+                    [&edited](model::SceneEdit& edit) { edit.set<model::members::Takes>(edited); });
+    QCOMPARE(templateAt(0.8), model::TemplateId{1});
+    QVERIFY2(list->item(0)->text().contains(QStringLiteral("choose of which template")),
+             qPrintable(list->item(0)->text()));
 }
 
 void TestTakes::editsSurviveARetakeAndAFile()

@@ -2,7 +2,6 @@
 #include "widgets/docks/TakesDock.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <QtCore/QLocale>
 #include <QtGui/QPixmap>
@@ -17,6 +16,7 @@
 #include "widgets/commands/TakeCommands.h"
 #include "widgets/docks/HandEditsPanel.h"
 #include "widgets/docks/PanelButton.h"
+#include "widgets/docks/TakeFigures.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/theme/Icons.h"
 
@@ -28,13 +28,6 @@ constexpr int kTakeIdRole = Qt::UserRole;
 constexpr int kTakeRows = 8;
 constexpr int kTakeFollowMs = 200;
 constexpr int kTakesRoom = 6; ///< logical pixels
-
-/// "0:07", "12:30"
-QString takeClockText(double seconds)
-{
-    const auto whole = static_cast<qint64>(std::floor(seconds));
-    return QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
-}
 
 /// As wide as the others, so that names stand below each other.
 QIcon noIcon()
@@ -49,7 +42,7 @@ QIcon noIcon()
 TakesDock::TakesDock(EditorState& state, QWidget* parent)
     : DockBase(tr("Takes"), "takes", parent), m_state(state), m_list(new QListWidget(this)),
       m_note(new QLabel(this)), m_difference(new QLabel(this)),
-      m_edits(new HandEditsPanel(state, this))
+      m_figures(new TakeFigures(state, this)), m_edits(new HandEditsPanel(state, this))
 {
     m_list->setObjectName(QStringLiteral("takesList"));
     m_list->setFrameShape(QFrame::NoFrame);
@@ -69,6 +62,7 @@ TakesDock::TakesDock(EditorState& state, QWidget* parent)
     layout->addWidget(m_list);
     layout->addWidget(m_note);
     layout->addWidget(m_difference);
+    layout->addWidget(m_figures);
     layout->addWidget(m_edits);
     layout->addStretch(1);
     setScrolledContent(content);
@@ -213,6 +207,7 @@ void TakesDock::fill()
     refreshButtons();
     refreshNote();
     refreshDifference();
+    m_figures->refresh();
     m_edits->refresh();
 }
 

@@ -14,6 +14,7 @@ class QToolButton;
 namespace crowd::widgets {
 
 class HandEditsPanel;
+class TakeFigures;
 
 /// The kept takes of the scene below the scene itself as it plays: a double click shows one.
 /// Another one can be seen beside it as ghosts, and in figures. Main thread.
@@ -45,6 +46,7 @@ private:
     QListWidget* m_list;
     QLabel* m_note;
     QLabel* m_difference;
+    TakeFigures* m_figures;
     HandEditsPanel* m_edits;
     QToolButton* m_keep = nullptr;
     QToolButton* m_show = nullptr;
