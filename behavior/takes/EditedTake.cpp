@@ -11,6 +11,7 @@
 #include "behavior/agents/AgentColumns.h"
 #include "behavior/agents/TemplateTables.h"
 #include "behavior/agents/Turning.h"
+#include "behavior/takes/PoseClip.h"
 #include "behavior/takes/TakeFile.h"
 #include "model/brush/ClipChoice.h"
 
@@ -27,20 +28,6 @@ constexpr double kAsideMetresPerSecond = 0.8;
 constexpr double kAsideSeconds = 0.8; ///< at least, in which somebody is brought beside his way
 constexpr double kAsideShare = 0.4;   ///< of the stretch, at most
 constexpr double kPhaseOfPerson = 0.618033988749895; ///< so that those who rest do not do it alike
-constexpr std::size_t kNotIn = ~std::size_t{0};
-
-std::size_t rowOfPerson(const SessionPose& pose, model::IndividualId id)
-{
-    const auto found = std::ranges::lower_bound(pose.ids, id);
-    return found != pose.ids.end() && *found == id
-               ? static_cast<std::size_t>(found - pose.ids.begin())
-               : kNotIn;
-}
-
-double wholeTurns(const ClipPlace& clip, double place)
-{
-    return clip.isLooped ? place - std::floor(place) : std::clamp(place, 0.0, 1.0);
-}
 
 double advanced(const ClipPlace& clip, double seconds)
 {
@@ -52,8 +39,7 @@ double advanced(const ClipPlace& clip, double seconds)
 /// As it is at the time of the pose.
 ClipPlace clipIn(const SessionPose& pose, std::size_t row)
 {
-    ClipPlace clip{pose.clips[row], (pose.flags[row] & kPoseLooped) != 0, pose.rates[row],
-                   pose.clipSeconds[row], static_cast<double>(pose.places[row])};
+    ClipPlace clip = clipOf(pose, row);
     if ((pose.flags[row] & kPoseClock) != 0) {
         clip.place = wholeTurns(clip, clip.placeAt(pose.seconds));
     }
@@ -75,7 +61,7 @@ public:
     {
         m_row = rowOfPerson(m_before, id);
         m_next = rowOfPerson(m_after, id);
-        return m_row != kNotIn;
+        return m_row != kNotInPose;
     }
     [[nodiscard]] std::size_t row() const { return m_row; }
     [[nodiscard]] double since() const { return m_since; }
@@ -87,8 +73,8 @@ private:
     const SessionPose& m_after;
     double m_since; ///< the earlier step
     double m_share = 0.0;
-    std::size_t m_row = kNotIn;
-    std::size_t m_next = kNotIn;
+    std::size_t m_row = kNotInPose;
+    std::size_t m_next = kNotInPose;
 };
 
 /// Where he is.
@@ -98,7 +84,7 @@ void Source::put(SessionPose& pose, std::size_t row) const
     const glm::vec3 from(a.x[m_row], a.y[m_row], a.z[m_row]);
     glm::vec3 place = from;
     float heading = a.headings[m_row];
-    if (m_next != kNotIn) {
+    if (m_next != kNotInPose) {
         const SessionPose& b = m_after;
         const glm::vec3 to(b.x[m_next], b.y[m_next], b.z[m_next]);
         const auto share = static_cast<float>(m_share);
@@ -122,7 +108,7 @@ void Source::put(SessionPose& pose, std::size_t row) const
 ClipPlace Source::clip() const
 {
     ClipPlace clip = clipIn(m_before, m_row);
-    const bool goesOn = m_next != kNotIn && clip.isLooped &&
+    const bool goesOn = m_next != kNotInPose && clip.isLooped &&
                         m_after.clips[m_next] == m_before.clips[m_row] &&
                         m_after.rates[m_next] != m_before.rates[m_row];
     if (goesOn) { // feet keep up with who speeds up
@@ -133,17 +119,6 @@ ClipPlace Source::clip() const
     }
     clip.place = wholeTurns(clip, clip.place);
     return clip;
-}
-
-void putClip(SessionPose& pose, std::size_t row, const ClipPlace& clip)
-{
-    pose.clips[row] = clip.clip;
-    pose.rates[row] = clip.rate;
-    pose.clipSeconds[row] = clip.clipSeconds;
-    pose.places[row] = static_cast<float>(clip.place);
-    const unsigned others = pose.flags[row] & ~unsigned{kPoseLooped};
-    pose.flags[row] =
-        static_cast<std::uint8_t>(others | (clip.isLooped ? unsigned{kPoseLooped} : 0U));
 }
 
 void addFade(SessionPose& pose, std::size_t row, const ClipPlace& from, double begin)
@@ -472,7 +447,7 @@ SessionPosePtr EditedTake::inOwnTime(const SessionPosePtr& pose)
         Source source(*before, *after, moment.seconds);
         for (const Person& person : group.people) {
             const std::size_t row = rowOfPerson(*made, person.id);
-            if (row == kNotIn || !source.find(person.id)) {
+            if (row == kNotInPose || !source.find(person.id)) {
                 continue;
             }
             source.put(*made, row);
@@ -504,7 +479,7 @@ void EditedTake::findOffsets(Layer& layer)
     layer.offsets.assign(layer.people.size(), glm::vec2(0.0F));
     for (std::size_t i = 0; pose && i < layer.people.size(); ++i) {
         const std::size_t row = rowOfPerson(*pose, layer.people[i]);
-        if (row != kNotIn) {
+        if (row != kNotInPose) {
             const float heading = pose->headings[row];
             layer.offsets[i] = layer.edit.aside * glm::vec2(-std::cos(heading), std::sin(heading));
         }
@@ -541,7 +516,7 @@ void EditedTake::apply(SessionPose& pose, Layer& layer)
     }
     for (std::size_t i = 0; i < layer.people.size(); ++i) {
         const std::size_t row = rowOfPerson(pose, layer.people[i]);
-        if (row == kNotIn) {
+        if (row == kNotInPose) {
             continue;
         }
         if (hides) {

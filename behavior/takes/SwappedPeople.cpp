@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <limits>
 
 #include "behavior/agents/PropertyOverrides.h"
+#include "behavior/takes/PoseClip.h"
 #include "model/brush/IndividualEdits.h"
 
 namespace crowd::behavior {
@@ -128,11 +128,11 @@ void SwappedPeople::apply(SessionPose& pose, std::set<model::IndividualId>& swap
 {
     std::vector<model::IndividualId> ids;
     for (const Person& person : m_people) {
-        const auto found = std::ranges::lower_bound(pose.ids, person.id);
-        if (found == pose.ids.end() || *found != person.id || !swapped.insert(person.id).second) {
+        const std::size_t row = rowOfPerson(pose, person.id);
+        if (row == kNotInPose || !swapped.insert(person.id).second) {
             continue;
         }
-        putClip(pose, static_cast<std::size_t>(found - pose.ids.begin()), person);
+        swapClip(pose, row, person);
         ids.push_back(person.id);
     }
     if (!ids.empty()) {
@@ -186,24 +186,14 @@ ClipPlace SwappedPeople::converted(const Person& person, const ClipPlace& clip, 
         made.rate = GaitTable::playback(*other.to, speed, person.height);
         made.place = placeIn(*other.from, *other.to, clip.place);
     }
-    made.place =
-        made.isLooped ? made.place - std::floor(made.place) : std::clamp(made.place, 0.0, 1.0);
+    made.place = wholeTurns(made, made.place);
     return made;
 }
 
-void SwappedPeople::putClip(SessionPose& pose, std::size_t row, const Person& person)
+void SwappedPeople::swapClip(SessionPose& pose, std::size_t row, const Person& person)
 {
     const bool isSeated = pose.hasSeats ? pose.seats[row] != model::kNoSeat : person.isSeated;
-    const ClipPlace clip{pose.clips[row], (pose.flags[row] & kPoseLooped) != 0, pose.rates[row],
-                         pose.clipSeconds[row], static_cast<double>(pose.places[row])};
-    const ClipPlace made = converted(person, clip, isSeated);
-    pose.clips[row] = made.clip;
-    pose.rates[row] = made.rate;
-    pose.clipSeconds[row] = made.clipSeconds;
-    pose.places[row] = static_cast<float>(made.place);
-    const unsigned others = pose.flags[row] & ~unsigned{kPoseLooped};
-    pose.flags[row] =
-        static_cast<std::uint8_t>(others | (made.isLooped ? unsigned{kPoseLooped} : 0U));
+    putClip(pose, row, converted(person, clipOf(pose, row), isSeated));
     const auto fades = std::ranges::lower_bound(pose.fades, static_cast<std::uint32_t>(row), {},
                                                 &PoseFade::person);
     for (auto fade = fades; fade != pose.fades.end() && fade->person == row; ++fade) {

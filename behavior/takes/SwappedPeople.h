@@ -52,7 +52,7 @@ private:
 
     [[nodiscard]] const Other& otherOf(const Person& person, std::uint16_t clip, bool isSeated);
     [[nodiscard]] ClipPlace converted(const Person& person, const ClipPlace& clip, bool isSeated);
-    void putClip(SessionPose& pose, std::size_t row, const Person& person);
+    void swapClip(SessionPose& pose, std::size_t row, const Person& person);
     void putLooks(SessionPose& pose, std::span<const model::IndividualId> ids);
     [[nodiscard]] model::IndividualRows looks(const SessionPose& pose,
                                               std::span<const model::IndividualId> ids) const;

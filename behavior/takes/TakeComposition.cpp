@@ -6,26 +6,16 @@
 #include <utility>
 
 #include "behavior/agents/Turning.h"
+#include "behavior/takes/PoseClip.h"
 
 namespace crowd::behavior {
 
 namespace {
 
-constexpr std::size_t kNobody = ~std::size_t{0};
-
-/// Row of somebody in a pose; kNobody: not in it.
-std::size_t rowIn(const SessionPose& pose, model::IndividualId id)
+/// Where he is in his clip at the pose's time.
+ClipPlace clipThen(const SessionPose& pose, std::size_t row)
 {
-    const auto found = std::ranges::lower_bound(pose.ids, id);
-    return found != pose.ids.end() && *found == id
-               ? static_cast<std::size_t>(found - pose.ids.begin())
-               : kNobody;
-}
-
-ClipPlace clipOf(const SessionPose& pose, std::size_t row)
-{
-    ClipPlace place{pose.clips[row], (pose.flags[row] & kPoseLooped) != 0, pose.rates[row],
-                    pose.clipSeconds[row], static_cast<double>(pose.places[row])};
+    ClipPlace place = clipOf(pose, row);
     if ((pose.flags[row] & kPoseClock) != 0) {
         place.place = place.placeAt(pose.seconds);
         place.place -= place.isLooped ? std::floor(place.place) : 0.0;
@@ -238,11 +228,12 @@ SessionPosePtr TakeComposition::fadedIn(const SessionPosePtr& take, const Sessio
     std::erase_if(pose->fades,
                   [&](const PoseFade& fade) { return isMeant(take->ids[fade.person]); });
     for (std::size_t row = 0; row < take->ids.size(); ++row) {
-        const std::size_t then = isMeant(take->ids[row]) ? rowIn(last, take->ids[row]) : kNobody;
-        if (then == kNobody || (last.flags[then] & kPoseGone) != 0) {
+        const std::size_t then =
+            isMeant(take->ids[row]) ? rowOfPerson(last, take->ids[row]) : kNotInPose;
+        if (then == kNotInPose || (last.flags[then] & kPoseGone) != 0) {
             continue;
         }
-        ClipPlace from = clipOf(last, then);
+        ClipPlace from = clipThen(last, then);
         from.place = from.clipSeconds > 0.0F
                          ? from.place + (take->seconds - last.seconds) *
                                             static_cast<double>(from.rate) /
