@@ -32,6 +32,19 @@ struct UnpackedLevel
     std::vector<std::uint16_t> normals;
 };
 
+/// With room for all that will come: what grows is copied again and again, and takes fresh pages of
+/// the system each time.
+std::vector<UnpackedLevel> unpackedLevels(const Template& asset, std::size_t keyframes)
+{
+    std::vector<UnpackedLevel> levels(asset.levels.size());
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const std::size_t places = keyframes * asset.levels[i].positions.size();
+        levels[i].positions.reserve(places);
+        levels[i].normals.reserve(places);
+    }
+    return levels;
+}
+
 void appendKeyframe(const Mesh& mesh, std::span<const glm::mat4> bones,
                     std::vector<glm::vec3>& normals, UnpackedLevel& level, Bounds& bounds)
 {
@@ -77,7 +90,7 @@ BakedClipPtr bakeClip(const Template& asset, int clipIndex, int keyframes,
     assert(keyframes >= 1 && keyframes <= clip.keyframeCount());
     auto baked = std::make_shared<BakedClip>();
     baked->keyframes = keyframes;
-    std::vector<UnpackedLevel> levels(asset.levels.size());
+    std::vector<UnpackedLevel> levels = unpackedLevels(asset, static_cast<std::size_t>(keyframes));
     std::vector<glm::vec3> normals;
     Pose pose;
     for (int k = 0; k < keyframes; ++k) {
