@@ -24,13 +24,24 @@ std::vector<PointerInput> wavyWay()
     return way;
 }
 
+/// The sanitizers take fifteen times as long, and look for other things than equal crowds: to them
+/// each selection is shown with one operator, and each operator with one selection, and ways are
+/// split into fewer pieces.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool kShowsAll = false;
+constexpr std::uint64_t kLongestPiece = 5000; ///< of the pointer's grid
+#else
+constexpr bool kShowsAll = true;
+constexpr std::uint64_t kLongestPiece = 1500;
+#endif
+
 std::vector<PointerInput> split(const std::vector<PointerInput>& way)
 {
     std::vector<PointerInput> inputs{way.front()};
     for (std::size_t i = 1; i < way.size(); ++i) {
         const glm::ivec2 move = way[i].grid - way[i - 1].grid;
         const int steps = std::gcd(move.x, move.y);
-        for (int k = 7; k < steps; k += 1 + static_cast<int>(hashKeys(i, k) % 1500)) {
+        for (int k = 7; k < steps; k += 1 + static_cast<int>(hashKeys(i, k) % kLongestPiece)) {
             PointerInput between = way[i - 1];
             between.grid += move / steps * k;
             between.timeSeconds += (way[i].timeSeconds - between.timeSeconds) * k / steps;
@@ -51,14 +62,6 @@ StrokeOutcome paintInputs(BrushScene& scene, const BrushSettings& settings,
     }
     return stroke->finish();
 }
-
-/// The sanitizers take fifteen times as long, and look for other things than equal crowds: to them
-/// each selection is shown with one operator, and each operator with one selection.
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool kShowsAll = false;
-#else
-constexpr bool kShowsAll = true;
-#endif
 
 /// Every brush by every selection and operator.
 void addStrokeRows()
