@@ -1,10 +1,12 @@
-# crowd_add_room(NAME room PCH header... | PCH_OF room SOURCES file... LINK target...
+# crowd_add_room(NAME room [COLD] PCH header... | PCH_OF room SOURCES file... LINK target...
 #     PRIVATE_LINK target...)
 # One static library per room. What a room may know is what it links: the linker enforces the design.
 # Compiled headers take twenty seconds and 400 MB each: a room that is compiled with all definitions of
 # another one, such as Qt's of its modules, takes that one's (PCH_OF).
+# A COLD room only waits for people and asks other rooms: the optimised program has it compiled in half
+# the time, with less optimisation. Who shares compiled headers is cold like the other, or neither is.
 function(crowd_add_room)
-    cmake_parse_arguments(ROOM "" "NAME;PCH_OF" "PCH;SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+    cmake_parse_arguments(ROOM "COLD" "NAME;PCH_OF" "PCH;SOURCES;LINK;PRIVATE_LINK" ${ARGN})
     add_library(crowd_${ROOM_NAME} STATIC ${ROOM_SOURCES})
     # A unity build takes the files of a folder together: in a folder, and nowhere else, names in
     # unnamed namespaces must differ.
@@ -16,6 +18,9 @@ function(crowd_add_room)
         endif()
     endforeach()
     target_link_libraries(crowd_${ROOM_NAME} PUBLIC crowd_options ${ROOM_LINK} PRIVATE ${ROOM_PRIVATE_LINK})
+    if(ROOM_COLD)
+        target_compile_options(crowd_${ROOM_NAME} PRIVATE $<$<CONFIG:Release>:-O1>)
+    endif()
     if(ROOM_PCH OR ROOM_PCH_OF)
         if(ROOM_PCH_OF)
             target_precompile_headers(crowd_${ROOM_NAME} REUSE_FROM crowd_${ROOM_PCH_OF})
