@@ -6,6 +6,8 @@
 #include <QtGui/QKeySequence>
 #include <QtWidgets/QMenu>
 
+#include "widgets/actions/MenuText.h"
+
 namespace crowd::app {
 
 namespace {
@@ -17,14 +19,6 @@ QChar mnemonicOf(const QString& text)
     return keys.isEmpty() ? QChar() : keys.toString().back();
 }
 
-QString withoutMnemonic(QString text)
-{
-    for (qsizetype at = text.indexOf(u'&'); at >= 0; at = text.indexOf(u'&', at + 1)) {
-        text.remove(at, 1); // of two, the second is one to be seen
-    }
-    return text;
-}
-
 /// As a menu shows it again.
 QString escaped(QString bare)
 {
@@ -34,7 +28,7 @@ QString escaped(QString bare)
 /// With the first of its letters that is not taken; beginnings of words first.
 QString withFreeMnemonic(const QString& text, const QSet<QChar>& taken)
 {
-    const QString bare = withoutMnemonic(text);
+    const QString bare = widgets::menuText(text);
     for (const bool isBeginning : {true, false}) {
         for (qsizetype i = 0; i < bare.size(); ++i) {
             const bool begins = i == 0 || bare[i - 1].isSpace();

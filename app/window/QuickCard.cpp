@@ -16,6 +16,7 @@
 
 #include "app/window/KeysDialog.h"
 #include "model/brush/BrushSettings.h"
+#include "widgets/actions/MenuText.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/state/ToolId.h"
 #include "widgets/theme/Icons.h"
@@ -45,11 +46,6 @@ struct CardText
 {
     Q_DECLARE_TR_FUNCTIONS(QuickCard)
 };
-
-QString plainText(QString text)
-{
-    return text.remove(QLatin1Char('&'));
-}
 
 QFont cardFont(double letters, bool isBold)
 {
@@ -88,7 +84,7 @@ void addCommands(CardList& list, const widgets::ActionRegistry& actions)
 {
     list.heading(CardText::tr("Editing"));
     for (const char* id : kCommands) {
-        QString text = plainText(actions.action(id)->text());
+        QString text = widgets::menuText(actions.action(id)->text());
         list.row(list.keysOf(id), text.remove(QChar(0x2026)).trimmed());
     }
 }
@@ -100,7 +96,7 @@ void addBrushes(CardList& list)
         const widgets::ToolInfo& tool = widgets::toolInfo(widgets::toolOf(kind));
         const model::BrushInfo& info = model::brushType(kind).info;
         list.row(list.keysOf(tool.stableId),
-                 plainText(QCoreApplication::translate("Actions", info.menu)),
+                 widgets::menuText(QCoreApplication::translate("Actions", info.menu)),
                  QLatin1String(tool.stableId));
     }
 }

@@ -13,6 +13,8 @@
 #include <QtWidgets/QTableWidget>
 #include <QtWidgets/QVBoxLayout>
 
+#include "widgets/actions/MenuText.h"
+
 namespace crowd::app {
 
 namespace {
@@ -63,7 +65,7 @@ void ShortcutsPage::addRow(int row)
     const widgets::ActionSpec& spec = m_actions.specs()[static_cast<std::size_t>(row)];
     const QAction* action = m_actions.action(spec.id);
     const QString text = QCoreApplication::translate("Actions", spec.text);
-    auto* name = new QTableWidgetItem(action->icon(), QString(text).remove(QLatin1Char('&')));
+    auto* name = new QTableWidgetItem(action->icon(), widgets::menuText(text));
     name->setFlags(Qt::ItemIsEnabled);
     name->setToolTip(action->statusTip());
     m_table->setItem(row, 0, name);
