@@ -1115,6 +1115,14 @@
         <source>Let the characters under the brush do it again while all others do what they did in the take</source>
         <translation>Die Figuren unter dem Pinsel neu spielen lassen, während alle anderen tun, was sie im Take taten</translation>
     </message>
+    <message>
+        <source>&amp;Find…</source>
+        <translation>&amp;Suchen …</translation>
+    </message>
+    <message>
+        <source>Type the name of an action, a brush, a panel or a setting</source>
+        <translation>Den Namen einer Aktion, eines Pinsels, eines Bedienfelds oder einer Einstellung eingeben</translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -9419,6 +9427,10 @@ Verworfen ist sie fort.</translation>
         <source>goes on from the moment shown and forgets what came after it</source>
         <translation>geht vom gezeigten Augenblick an weiter und vergisst, was danach kam</translation>
     </message>
+    <message>
+        <source>finds actions, brushes, panels and settings by name</source>
+        <translation>findet Aktionen, Pinsel, Bedienfelder und Einstellungen beim Namen</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::MainWindow</name>
@@ -9484,6 +9496,14 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Time shown: minutes and seconds from the start</source>
         <translation>Gezeigte Zeit: Minuten und Sekunden vom Anfang an</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Bedienfeld</translation>
+    </message>
+    <message>
+        <source>Shows the panel</source>
+        <translation>Zeigt das Bedienfeld</translation>
     </message>
 </context>
 <context>
@@ -10944,6 +10964,37 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>All get the value that was ticked first.</source>
         <translation>Alle bekommen den Wert, der zuerst angekreuzt wurde.</translation>
+    </message>
+    <message>
+        <source>Standing</source>
+        <translation>Im Stehen</translation>
+    </message>
+    <message>
+        <source>Walking</source>
+        <translation>Im Gehen</translation>
+    </message>
+    <message>
+        <source>Sitting</source>
+        <translation>Im Sitzen</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::FindDialog</name>
+    <message>
+        <source>Find an Action, a Brush, a Panel or a Setting</source>
+        <translation>Aktion, Pinsel, Bedienfeld oder Einstellung suchen</translation>
+    </message>
+    <message>
+        <source>Type what you want to do</source>
+        <translation>Was möchten Sie tun?</translation>
+    </message>
+    <message>
+        <source>“%1” would do nothing now: %2</source>
+        <translation>„%1“ würde jetzt nichts tun: %2</translation>
+    </message>
+    <message>
+        <source>Nothing is called so.</source>
+        <translation>So heißt nichts.</translation>
     </message>
 </context>
 <context>

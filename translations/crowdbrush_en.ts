@@ -1115,6 +1115,14 @@
         <source>Let the characters under the brush do it again while all others do what they did in the take</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Find…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type the name of an action, a brush, a panel or a setting</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -9414,6 +9422,10 @@ Thrown away, it is gone.</source>
         <source>goes on from the moment shown and forgets what came after it</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>finds actions, brushes, panels and settings by name</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::MainWindow</name>
@@ -9478,6 +9490,14 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Time shown: minutes and seconds from the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the panel</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10936,6 +10956,37 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>All get the value that was ticked first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sitting</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::FindDialog</name>
+    <message>
+        <source>Find an Action, a Brush, a Panel or a Setting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type what you want to do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” would do nothing now: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is called so.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -167,6 +167,7 @@ void KeysDialog::addLooking(CardList& list)
              tr("keep it, or who is selected, as that state"));
     list.heading(tr("Playing and the window"));
     list.row(tr("Space tapped"), tr("plays and pauses"));
+    list.row(list.keysOf("find"), tr("finds actions, brushes, panels and settings by name"));
     list.row(list.keysOf("hide-panels"), tr("hides the panels, and brings them back"));
     list.row(list.keysOf("full-screen"), tr("fills the screen"));
 }

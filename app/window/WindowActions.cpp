@@ -9,6 +9,7 @@
 
 #include "app/console/ConsoleDock.h"
 #include "app/window/CameraBookmarks.h"
+#include "app/window/FindByName.h"
 #include "app/window/MainWindow.h"
 #include "app/window/SelectActions.h"
 #include "app/window/StateKeys.h"
@@ -415,6 +416,9 @@ const WindowAction kOtherActions[] = {
     {{"welcome", QT_TRANSLATE_NOOP("Actions", "&Welcome Page"), "crowdbrush", "Ctrl+F1",
       QT_TRANSLATE_NOOP("Actions", "Ready-made scenes, new scenes, and what was open before")},
      [](MainWindow& w, bool) { w.showWelcome(); }},
+    {{"find", QT_TRANSLATE_NOOP("Actions", "&Find…"), "locate", "Ctrl+F",
+      QT_TRANSLATE_NOOP("Actions", "Type the name of an action, a brush, a panel or a setting")},
+     [](MainWindow& w, bool) { findByName(w); }},
     {{"keys", QT_TRANSLATE_NOOP("Actions", "&Quick Reference Card"), "help", "F1",
       QT_TRANSLATE_NOOP("Actions", "What mouse buttons and keys do")},
      [](MainWindow& w, bool) { w.showShortcuts(); }},
@@ -493,7 +497,7 @@ constexpr const char* kPlayMenu[] = {"play",
 constexpr const char* kScriptMenu[] = {"console", "",           "script-record",
                                        "",        "script-run", "script-cancel"};
 constexpr const char* kWindowMenu[] = {"@docks", "", "hide-panels", "reset-layout"};
-constexpr const char* kHelpMenu[] = {"welcome", "keys", "about"};
+constexpr const char* kHelpMenu[] = {"find", "", "welcome", "keys", "about"};
 
 constexpr const char* kBrushMenu[] = {"select",
                                       "navigate",

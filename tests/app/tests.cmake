@@ -1,5 +1,6 @@
 crowd_add_tests(ROOM app LINK crowd_app TESTS
     tst_DescribedStruct
+    tst_FindByName
     tst_Interruptions
     tst_Language
     tst_LookMenu

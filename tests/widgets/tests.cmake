@@ -8,6 +8,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_ColourDock
     tst_DockControls
     tst_Docks
+    tst_Findable
     tst_EnvironmentMenu
     tst_GroundTools
     tst_FeaturesDock

@@ -10,6 +10,7 @@
 #include <QtWidgets/QToolButton>
 
 #include "widgets/docks/FieldControls.h"
+#include "widgets/docks/FormRows.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/theme/Icons.h"
 
@@ -249,6 +250,44 @@ void FieldForm::refreshVisibility()
     }
 }
 
+std::vector<FieldForm::Setting> FieldForm::settings() const
+{
+    std::vector<Setting> all;
+    for (const Row& row : m_rows) {
+        const QString name = nameOfRow(*row.widget);
+        if (name.isEmpty() || (row.isShown && !row.isShown())) {
+            continue;
+        }
+        const QString section =
+            row.section >= 0 ? m_sections[static_cast<std::size_t>(row.section)].header->text()
+                             : QString();
+        const auto isSame = [&](const Setting& other) {
+            return other.name == name && other.section == section;
+        };
+        if (std::ranges::none_of(all, isSame)) { // one of many items stands for all
+            all.push_back({name, section, tipOfRow(*row.widget), row.widget});
+        }
+    }
+    return all;
+}
+
+void FieldForm::reveal(QWidget& row)
+{
+    for (const Row& known : m_rows) {
+        if (known.widget == &row && known.section >= 0 &&
+            !m_sections[static_cast<std::size_t>(known.section)].isOpen) {
+            foldByHand(known.section, true);
+        }
+    }
+    QTimer::singleShot(0, &row, [&row] { // where it is, is known afterwards
+        scrollTo(row);
+        flashRow(row);
+        if (QWidget* control = controlOfRow(row)) {
+            control->setFocus(Qt::ShortcutFocusReason);
+        }
+    });
+}
+
 void FieldForm::finish()
 {
     m_layout->addStretch(1);
@@ -271,11 +310,15 @@ void FieldForm::beginSection(const QString& title, const QString& key)
     m_sections.push_back({header, stored, true});
     fold(index, QSettings().value(stored, true).toBool());
     connect(header, &QToolButton::clicked, this, [this, index] {
-        const Section& section = m_sections[static_cast<std::size_t>(index)];
-        QSettings().setValue(section.key, !section.isOpen);
-        fold(index, !section.isOpen);
-        refreshVisibility();
+        foldByHand(index, !m_sections[static_cast<std::size_t>(index)].isOpen);
     });
+}
+
+void FieldForm::foldByHand(int section, bool isOpen)
+{
+    QSettings().setValue(m_sections[static_cast<std::size_t>(section)].key, isOpen);
+    fold(section, isOpen);
+    refreshVisibility();
 }
 
 void FieldForm::fold(int section, bool isOpen)

@@ -61,6 +61,18 @@ public:
     void finish();
     void refresh();
 
+    /// A control whose condition holds, folded away or not.
+    struct Setting
+    {
+        QString name;
+        QString section; ///< empty: none
+        QString tip;
+        QWidget* row; ///< child; goes when the form is made anew
+    };
+    [[nodiscard]] std::vector<Setting> settings() const;
+    /// Unfolds and scrolls to a control, marks it for a moment and gives it the keyboard.
+    void reveal(QWidget& row);
+
 Q_SIGNALS:
     void
     held(bool isHeld); ///< a slider is dragged, and no longer: what is set meanwhile is one change
@@ -121,6 +133,7 @@ private:
     void addItem(const Bound& list, std::size_t index);
     void addRemoval(const Bound& list, std::size_t index, const Condition& isShown);
     void fold(int section, bool isOpen);
+    void foldByHand(int section, bool isOpen);
     void refreshVisibility();
 
     FormTarget m_target;
