@@ -4,6 +4,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_BrushStart
     tst_CameraDirector
     tst_BrushTool
+    tst_ClipPopup
     tst_ClipTable
     tst_ColourDock
     tst_DockControls

@@ -234,7 +234,7 @@ void DockControlsTest::numberListsGoBothWays()
 
 void DockControlsTest::tickedClipsHaveWeights()
 {
-    ClipMix mix({"sit", "cheer", "clap"}, nullptr);
+    ClipMix mix(std::vector<std::string>{"sit", "cheer", "clap"}, nullptr);
     mix.show();
     QSignalSpy edited(&mix, &ClipMix::edited);
     const auto ticks = mix.findChildren<QCheckBox*>();

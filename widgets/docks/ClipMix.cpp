@@ -3,8 +3,11 @@
 
 #include <algorithm>
 
+#include <QtCore/QEvent>
+#include <QtCore/QRect>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QGridLayout>
+#include <QtWidgets/QLabel>
 
 #include "widgets/docks/ValueSlider.h"
 
@@ -17,6 +20,11 @@ constexpr int kNameWidth = 110; ///< logical pixels; foreign files name clips at
 } // namespace
 
 ClipMix::ClipMix(const std::vector<std::string>& names, QWidget* parent, const Texts& texts)
+    : ClipMix(std::vector<Section>{{QString(), names}}, parent, texts)
+{
+}
+
+ClipMix::ClipMix(const std::vector<Section>& sections, QWidget* parent, const Texts& texts)
     : QWidget(parent)
 {
     auto* grid = new QGridLayout(this);
@@ -24,29 +32,54 @@ ClipMix::ClipMix(const std::vector<std::string>& names, QWidget* parent, const T
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(1);
     grid->setColumnStretch(1, 1);
-    for (const std::string& name : names) {
-        const QString text = texts ? texts(name) : QString::fromStdString(name);
-        auto* tick =
-            new QCheckBox(fontMetrics().elidedText(text, Qt::ElideMiddle, kNameWidth), this);
-        tick->setAccessibleName(text);
-        auto* weight = new ValueSlider({}, {1.0, 100.0, 5.0, 0, QStringLiteral(" %"), false}, this);
-        tick->setToolTip(text);
-        weight->setToolTip(tr("How often it comes among those ticked"));
-        QSizePolicy policy = weight->sizePolicy();
-        policy.setRetainSizeWhenHidden(true);
-        weight->setSizePolicy(policy);
-        weight->setFixedHeight(fontMetrics().height() + 5);
-        const int row = static_cast<int>(m_rows.size());
-        grid->addWidget(tick, row, 0);
-        grid->addWidget(weight, row, 1);
-        connect(tick, &QCheckBox::clicked, this, [this, name](bool on) {
-            Q_EMIT edited({name, on ? 1.0F : 0.0F});
-        });
-        connect(weight, &ValueSlider::valueEdited, this, [this, name](double percent) {
-            Q_EMIT edited({name, static_cast<float>(percent / 100.0)});
-        });
-        m_rows.push_back({name, tick, weight});
+    for (const Section& section : sections) {
+        if (sections.size() > 1) {
+            auto* title = new QLabel(section.title, this);
+            title->setEnabled(false);
+            grid->addWidget(title, grid->rowCount(), 0, 1, 2);
+        }
+        for (const std::string& name : section.names) {
+            addRow(*grid, name, texts ? texts(name) : QString::fromStdString(name));
+        }
     }
+}
+
+void ClipMix::addRow(QGridLayout& grid, const std::string& name, const QString& text)
+{
+    auto* tick = new QCheckBox(fontMetrics().elidedText(text, Qt::ElideMiddle, kNameWidth), this);
+    tick->setAccessibleName(text);
+    tick->setToolTip(text);
+    tick->installEventFilter(this);
+    auto* weight = new ValueSlider({}, {1.0, 100.0, 5.0, 0, QStringLiteral(" %"), false}, this);
+    weight->setToolTip(tr("How often it comes among those ticked"));
+    QSizePolicy policy = weight->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    weight->setSizePolicy(policy);
+    weight->setFixedHeight(fontMetrics().height() + 5);
+    const int row = grid.rowCount();
+    grid.addWidget(tick, row, 0);
+    grid.addWidget(weight, row, 1);
+    connect(tick, &QCheckBox::clicked, this, [this, name](bool on) {
+        Q_EMIT edited({name, on ? 1.0F : 0.0F});
+    });
+    connect(weight, &ValueSlider::valueEdited, this, [this, name](double percent) {
+        Q_EMIT edited({name, static_cast<float>(percent / 100.0)});
+    });
+    m_rows.push_back({name, tick, weight});
+}
+
+bool ClipMix::eventFilter(QObject* tick, QEvent* event)
+{
+    if (event->type() == QEvent::Enter) {
+        const auto row = std::ranges::find_if(
+            m_rows, [tick](const Row& candidate) { return candidate.tick == tick; });
+        if (row != m_rows.end()) {
+            Q_EMIT pointedAt(row->name, {row->tick->mapToGlobal(QPoint()), row->tick->size()});
+        }
+    } else if (event->type() == QEvent::Leave) {
+        Q_EMIT left();
+    }
+    return QWidget::eventFilter(tick, event);
 }
 
 void ClipMix::setClips(const std::vector<model::ClipWeight>& clips, bool areWeighed)

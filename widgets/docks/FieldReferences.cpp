@@ -15,6 +15,7 @@
 #include "model/scene/Scene.h"
 #include "widgets/docks/CheckList.h"
 #include "widgets/docks/ClipMix.h"
+#include "widgets/docks/ClipPopup.h"
 #include "widgets/docks/FieldNames.h"
 #include "widgets/docks/PointPicking.h"
 #include "widgets/state/BrushTexts.h"
@@ -140,28 +141,47 @@ void addPart(FieldForm& form, const Bound& bound)
     addName(form, bound, texts, names);
 }
 
-/// Each once; those to walk with, or all.
-std::vector<std::string> clipNamesOf(const model::Scene& scene, bool areWalking)
+/// How a body is in a clip; in the order in which they are offered.
+enum class ClipBearing { Standing, Walking, Sitting };
+
+ClipBearing bearingOf(const model::TemplateEntry& entry, int clip, bool isMoving)
 {
-    std::vector<std::string> names;
+    if (clip >= 0 && entry.asset->clips[static_cast<std::size_t>(clip)].seatHeight) {
+        return ClipBearing::Sitting;
+    }
+    return isMoving ? ClipBearing::Walking : ClipBearing::Standing;
+}
+
+/// Each name once, as the first template has it; those to walk with, or all.
+std::vector<ClipMix::Section> clipSections(const model::Scene& scene, bool areWalking)
+{
+    std::vector<ClipMix::Section> sections{{FieldForm::tr("Standing"), {}},
+                                           {FieldForm::tr("Walking"), {}},
+                                           {FieldForm::tr("Sitting"), {}}};
+    std::set<std::string> known;
     for (const model::TemplateEntry& entry : scene.templates) {
         for (std::size_t i = 0; i < entry.clipNames.size(); ++i) {
             const int index = entry.asset ? entry.asset->clipIndex(entry.clipNames[i]) : -1;
-            const bool isMeant =
-                !areWalking ||
-                (index >= 0 && model::movesOverGround(entry, i, static_cast<std::size_t>(index)));
-            if (isMeant && std::ranges::find(names, entry.clipNames[i]) == names.end()) {
-                names.push_back(entry.clipNames[i]);
+            const bool isMoving =
+                index >= 0 && model::movesOverGround(entry, i, static_cast<std::size_t>(index));
+            const ClipBearing bearing = bearingOf(entry, index, isMoving);
+            if ((isMoving || !areWalking) && known.insert(entry.clipNames[i]).second) {
+                sections[static_cast<std::size_t>(bearing)].names.push_back(entry.clipNames[i]);
             }
         }
     }
-    return names;
+    std::erase_if(sections, [](const ClipMix::Section& section) { return section.names.empty(); });
+    return sections;
 }
 
 void addClips(FieldForm& form, const Bound& bound)
 {
     const bool areWalking = bound.field->meta.role == model::FieldRole::WalkingClips;
-    addMix(form, bound, new ClipMix(clipNamesOf(sceneOf(form), areWalking), &form));
+    auto* mix = new ClipMix(clipSections(sceneOf(form), areWalking), &form);
+    if (form.state() != nullptr) {
+        ClipPopup::attach(*mix, *form.state());
+    }
+    addMix(form, bound, mix);
 }
 
 void addPath(FieldForm& form, const Bound& bound)
