@@ -35,6 +35,7 @@ private Q_SLOTS:
     void theLastComeFirst();
     void theCurrentOneIsChosenByKeys();
     void escapeTakesNothing();
+    static void longNamesDoNotWidenIt();
 
 private:
     /// Open, by its key.
@@ -236,6 +237,19 @@ void TestFindByName::escapeTakesNothing()
     QVERIFY(again != nullptr); // and it was not remembered
     QVERIFY(list(again)->topLevelItem(0)->text(1) != dock("history")->windowTitle());
     again->reject();
+}
+
+/// Names and sentences may come from files.
+void TestFindByName::longNamesDoNotWidenIt()
+{
+    widgets::Findable item{QString(5000, QLatin1Char('x')), QStringLiteral("File")};
+    item.tip = item.name;
+    item.isApplicable = false;
+    widgets::FindDialog dialog({item}, nullptr);
+    const int before = dialog.minimumSizeHint().width();
+    field(&dialog)->setText(QStringLiteral("xxx")); // said below the list: it would do nothing
+    QVERIFY(dialog.findChild<QLabel*>(QStringLiteral("tip"))->text().contains(item.name));
+    QCOMPARE(dialog.minimumSizeHint().width(), before);
 }
 
 CROWD_WINDOW_TEST(TestFindByName)

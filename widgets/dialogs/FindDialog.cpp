@@ -79,6 +79,7 @@ FindDialog::FindDialog(std::vector<Findable> all, QWidget* parent)
     m_tip->setObjectName(QStringLiteral("tip"));
     m_tip->setWordWrap(true);
     m_tip->setMinimumHeight(2 * m_tip->fontMetrics().lineSpacing()); // nothing moves with it
+    m_tip->setMinimumWidth(1); // else as wide as the longest word, which a file may have named
     m_tip->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_field);
