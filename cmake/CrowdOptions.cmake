@@ -16,7 +16,8 @@ if(CROWD_MOLD)
     # Without RELRO: where only zeroed thread-local variables come before a page's first section, mold
     # 1.10 begins that segment in the page before, which nobody maps, and the program does not start
     # ("cannot apply additional memory protection after relocation").
-    add_link_options(-fuse-ld=mold -Wl,-z,norelro)
+    # Without a build id: for some sizes of the program mold 1.10 never ends making it.
+    add_link_options(-fuse-ld=mold -Wl,-z,norelro,--build-id=none)
 endif()
 
 add_library(crowd_options INTERFACE)
