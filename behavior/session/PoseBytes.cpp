@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstring>
 
+#include "behavior/session/PackKernel.h"
 #include "model/base/Checksum.h"
 
 namespace crowd::behavior {
@@ -16,12 +17,10 @@ using Word = std::uint32_t;
 using Counts = PoseColumns::Counts;
 
 constexpr std::size_t kWordBytes = sizeof(Word);
-constexpr std::size_t kGroup = 4; ///< words that one byte of codes is for
-constexpr std::size_t kGroupBytes = kGroup * kWordBytes;
+constexpr std::size_t kGroup = kPackedWords;
+constexpr std::size_t kGroupBytes = kPackedGroupBytes;
 constexpr std::size_t kFadeWords = 8;
 constexpr std::size_t kSumBytes = sizeof(std::uint64_t); ///< of the checksum, in front
-/// Bytes that follow for each of the four codes.
-constexpr std::array<std::uint8_t, 4> kLengths{0, 2, 3, 4};
 
 /// Groups that so many values take.
 template<class T>
@@ -85,59 +84,15 @@ PoseFade fadeOf(const Word* words)
     return fade;
 }
 
-/// Code of a word: as many of its bytes as are needed.
-unsigned codeOf(Word word)
-{
-    return static_cast<unsigned>(word > 0) + static_cast<unsigned>(word > 0xFFFFU) +
-           static_cast<unsigned>(word > 0xFFFFFFU);
-}
-
-/// Where codes of groups are written, and behind all of them their bytes. Handed on by value: a
-/// compiler that must think of them as what is written to takes five times as long.
-struct Places
-{
-    std::byte* codes;
-    std::byte* data;
-};
-
-/// There is room for a word more than is written.
-Places writeGroup(Places to, const std::byte* now, const std::byte* before)
-{
-    std::array<std::uint64_t, 2> halves{};
-    std::memcpy(halves.data(), now, kGroupBytes);
-    if (before != nullptr) {
-        std::array<std::uint64_t, 2> then{};
-        std::memcpy(then.data(), before, kGroupBytes);
-        halves[0] ^= then[0];
-        halves[1] ^= then[1];
-    }
-    if ((halves[0] | halves[1]) == 0) { // mostly
-        *to.codes++ = std::byte{0};
-        return to;
-    }
-    unsigned codes = 0;
-    for (unsigned i = 0; i < kGroup; ++i) {
-        const auto word = static_cast<Word>(halves[i / 2] >> (32 * (i % 2)));
-        const unsigned code = codeOf(word);
-        codes |= code << (2 * i);
-        std::memcpy(to.data, &word, kWordBytes); // what is too much is written over
-        to.data += kLengths[code];
-    }
-    *to.codes++ = static_cast<std::byte>(codes);
-    return to;
-}
-
 template<class T>
-Places writeColumn(Places to, const std::vector<T>& now, const std::vector<T>* before)
+PackPlaces writeColumn(PackPlaces to, const std::vector<T>& now, const std::vector<T>* before)
 {
     const auto* values = reinterpret_cast<const std::byte*>(now.data());
     const auto* then =
         before != nullptr ? reinterpret_cast<const std::byte*>(before->data()) : nullptr;
     const std::size_t bytes = now.size() * sizeof(T);
     const std::size_t whole = bytes / kGroupBytes * kGroupBytes;
-    for (std::size_t at = 0; at < whole; at += kGroupBytes) {
-        to = writeGroup(to, values + at, then != nullptr ? then + at : nullptr);
-    }
+    to = packGroups(to, values, then, whole / kGroupBytes);
     if (whole < bytes) {
         std::array<std::byte, kGroupBytes> last{};
         std::array<std::byte, kGroupBytes> lastThen{};
@@ -145,7 +100,7 @@ Places writeColumn(Places to, const std::vector<T>& now, const std::vector<T>* b
         if (then != nullptr) {
             std::memcpy(lastThen.data(), then + whole, bytes - whole);
         }
-        to = writeGroup(to, last.data(), lastThen.data());
+        to = packGroups(to, last.data(), lastThen.data(), 1);
     }
     return to;
 }
@@ -178,7 +133,7 @@ bool readGroups(std::span<const std::byte> bytes, std::span<Word> words, std::si
             continue;
         }
         for (unsigned k = 0; k < kGroup; ++k) {
-            const std::size_t length = kLengths[(codes >> (2 * k)) & 3U];
+            const std::size_t length = packedLength((codes >> (2 * k)) & 3U);
             const auto left = static_cast<std::size_t>(end - data);
             if (left < length) {
                 return false;
@@ -212,12 +167,12 @@ PoseWriter::Packed PoseWriter::packed(const SessionPose& pose, const SessionPose
                           pose.seats.size() == before->seats.size();
     const SessionPose* then = packed.isDifference ? before : nullptr;
     const std::size_t groups = allGroups(counts);
-    const std::size_t most = sizeof(Counts) + groups * (1 + kGroupBytes) + kWordBytes;
+    const std::size_t most = sizeof(Counts) + groups * (1 + kGroupBytes) + kGroupBytes;
     if (m_room.size() < most) {
         m_room.resize(most);
     }
     std::memcpy(m_room.data(), &counts, sizeof(Counts));
-    Places to{m_room.data() + sizeof(Counts), m_room.data() + sizeof(Counts) + groups};
+    PackPlaces to{m_room.data() + sizeof(Counts), m_room.data() + sizeof(Counts) + groups};
     eachColumn([&](auto column) {
         to = writeColumn(to, pose.*column, then != nullptr ? &(then->*column) : nullptr);
     });
@@ -225,7 +180,7 @@ PoseWriter::Packed PoseWriter::packed(const SessionPose& pose, const SessionPose
     for (const PoseFade& fade : pose.fades) {
         const FadeWords words = wordsOf(fade);
         const auto* bytes = reinterpret_cast<const std::byte*>(words.data());
-        to = writeGroup(writeGroup(to, bytes, nullptr), bytes + kGroupBytes, nullptr);
+        to = packGroups(to, bytes, nullptr, kFadeWords / kGroup);
     }
     const auto size = static_cast<std::size_t>(to.data - m_room.data());
     const std::uint64_t checksum = model::checksumOf({m_room.data(), size});

@@ -9,8 +9,8 @@
 #include "behavior/session/SessionPose.h"
 
 /// Poses as few bytes, quickly: most of what a step does to somebody is little, so that in the
-/// words of two poses in a row only the lower bytes differ. Two bits a word say how many bytes of
-/// it follow (after D. Lemire et al., Stream VByte, 2018). Exact, with a checksum.
+/// words of two poses in a row only the lower bytes differ, and only those are written
+/// (PackKernel.h). Exact, with a checksum.
 namespace crowd::behavior {
 
 /// Writes the columns of poses, and what else there is one each for some people. One thread.

@@ -8,7 +8,9 @@
 
 #include "behavior/session/MotionCache.h"
 #include "behavior/session/MotionReader.h"
+#include "behavior/session/PackKernel.h"
 #include "behavior/session/PoseBytes.h"
+#include "model/base/Random.h"
 #include "tests/program/Test.h"
 
 using namespace crowd;
@@ -131,6 +133,7 @@ private Q_SLOTS:
     void aFullDiskForgetsTheEarliest();
     void fewBytesAreKept();
     void theSameTwice();
+    void processorsPackTheSame();
     void damagedBytesAreNoPose_data();
     void damagedBytesAreNoPose();
 };
@@ -237,6 +240,35 @@ void TestMotionCache::theSameTwice()
     QVERIFY(writer.packed(*now, before.get()).isDifference);
     QCOMPARE(writer.packed(*now, before.get()).bytes, other.packed(*now, before.get()).bytes);
     QVERIFY(!writer.packed(*poseOf(71, kPosed), now.get()).isDifference); // fewer
+}
+
+/// Whatever instructions there are.
+void TestMotionCache::processorsPackTheSame()
+{
+    constexpr std::size_t kGroups = 500;
+    std::vector<std::uint32_t> now(kGroups * 4);
+    std::vector<std::uint32_t> before(now.size());
+    for (std::size_t i = 0; i < now.size(); ++i) { // of every length, and borders between them
+        const auto random = static_cast<std::uint32_t>(model::mixBits(i));
+        const std::uint32_t borders[] = {0U, 0xFFFFU, 0x10000U, 0xFFFFFFU, 0x1000000U, ~0U};
+        before[i] = random;
+        now[i] = i % 3 == 0 ? random ^ borders[i / 3 % 6] : random ^ (random >> (i % 32));
+    }
+    const auto* values = reinterpret_cast<const std::byte*>(now.data());
+    for (const bool isCompared : {false, true}) {
+        const auto* then = isCompared ? reinterpret_cast<const std::byte*>(before.data()) : nullptr;
+        std::vector<std::byte> packed[2];
+        for (const bool isPlain : {false, true}) {
+            std::vector<std::byte>& bytes = packed[isPlain ? 1 : 0];
+            bytes.resize(kGroups * 17 + behavior::kPackedGroupBytes);
+            const behavior::PackPlaces end = behavior::packGroups(
+                {bytes.data(), bytes.data() + kGroups}, values, then, kGroups, isPlain);
+            QVERIFY(end.codes == bytes.data() + kGroups);
+            bytes.resize(static_cast<std::size_t>(end.data - bytes.data()));
+        }
+        QVERIFY(packed[0].size() > kGroups * 2);
+        QVERIFY(packed[0] == packed[1]);
+    }
 }
 
 void TestMotionCache::damagedBytesAreNoPose_data()
