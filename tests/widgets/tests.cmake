@@ -19,6 +19,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_RelationsDock
     tst_GroupsDock
     tst_IndividualDock
+    tst_Invalidation
     tst_KeepPose
     tst_LabelLayout
     tst_LastFolder

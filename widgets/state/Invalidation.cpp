@@ -11,11 +11,39 @@ namespace crowd::widgets {
 
 namespace {
 
-bool isOfMotion(model::PropertyAspect aspect)
+bool isOfMotion(model::PropertyAspect aspect, const model::Scene& scene)
 {
     using model::PropertyAspect;
-    return aspect == PropertyAspect::Animation || aspect == PropertyAspect::Walking ||
-           aspect == PropertyAspect::Template || aspect == PropertyAspect::Place;
+    switch (aspect) {
+    case PropertyAspect::Animation:
+    case PropertyAspect::Walking:
+    case PropertyAspect::Template:
+    case PropertyAspect::Place:
+    case PropertyAspect::Group: // they walk together
+        return true;
+    case PropertyAspect::Features:
+    case PropertyAspect::Tags:
+        return !scene.rules.empty();
+    case PropertyAspect::Colours:
+    case PropertyAspect::Materials:
+    case PropertyAspect::Size: // seen at all times; a body's width counts from now on
+        break;
+    }
+    return false;
+}
+
+/// Who asks for it.
+bool isOfMotion(const model::SceneChange& change, const model::Scene& scene)
+{
+    if (isOneOf<model::StatesChanged>(change)) {
+        return !scene.rules.empty() || !scene.timeline.empty();
+    }
+    if (isOneOf<model::FeaturesChanged>(change)) {
+        return !scene.rules.empty();
+    }
+    return isOneOf<model::IndividualsAdded, model::IndividualsRemoved, model::PathsChanged,
+                   model::RulesChanged, model::RelationsChanged, model::RelationKindsChanged,
+                   model::GroupsChanged>(change);
 }
 
 /// Nothing happens there, or the same happens.
@@ -28,14 +56,14 @@ bool doesSame(const model::Mark& a, const model::Mark& b)
 
 } // namespace
 
-bool changesMotion(const model::SceneChange& change)
+bool changesMotion(const model::SceneChange& change, const model::Scene& scene)
 {
     const auto* changed = std::get_if<model::ColumnsChanged>(&change);
-    return isOneOf<model::IndividualsAdded, model::IndividualsRemoved, model::PathsChanged,
-                   model::RulesChanged, model::RelationsChanged>(change) ||
+    return isOfMotion(change, scene) ||
            (changed != nullptr &&
             std::ranges::any_of(model::properties(), [&](const model::PropertyInfo& property) {
-                return changed->columns.contains(property.id) && isOfMotion(property.traits.aspect);
+                return changed->columns.contains(property.id) &&
+                       isOfMotion(property.traits.aspect, scene);
             }));
 }
 

@@ -155,7 +155,7 @@ void SessionControl::invalidate(const model::SceneChange& change)
 {
     if (isOneOf<model::TimelineChanged>(change)) {
         invalidateTimeline();
-    } else if (changesMotion(change)) {
+    } else if (changesMotion(change, m_document.scene())) {
         goToEdit();
     }
 }
