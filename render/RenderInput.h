@@ -109,7 +109,7 @@ struct RenderInput
     }
 
     model::CrowdFramePtr frame; ///< null: nobody
-    model::View view;           ///< in logical pixels
+    model::View view;           ///< in logical pixels; of a part, what belongs to that is drawn
     glm::ivec2 pixelSize{0};    ///< physical pixels; 0: the view's size
     model::KeyframeStore& keyframes;
     std::span<const model::StageEntry> stages;

@@ -27,10 +27,10 @@ namespace crowd::app {
     return first && second ? std::optional(glm::ivec2(*first, *second)) : std::nullopt;
 }
 
-/// "WIDTHxHEIGHT" in pixels, each from 1 to what a graphics card takes.
+/// "WIDTHxHEIGHT" in pixels, each from 1 to what pictures have at most.
 [[nodiscard]] inline std::optional<glm::ivec2> parseSize(std::string_view text)
 {
-    constexpr int kLargestSide = 16384;
+    constexpr int kLargestSide = 32768;
     const auto size = parsePair(text, 'x');
     const bool isUsable =
         size && size->x >= 1 && size->y >= 1 && size->x <= kLargestSide && size->y <= kLargestSide;

@@ -5,14 +5,15 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 
 #include <QtCore/QFileInfo>
 
 #include "app/commands/CameraChoice.h"
 #include "app/commands/InterruptGuard.h"
 #include "app/commands/RenderPlan.h"
+#include "app/commands/RenderProgress.h"
 #include "app/commands/SceneSource.h"
-#include "app/commands/SimulationProgress.h"
 #include "app/pictures/LensWish.h"
 #include "app/pictures/LookWish.h"
 #include "app/pictures/MovieFile.h"
@@ -67,8 +68,8 @@ public:
         m_request.earlier =
             render::EarlierMoment{frameAt(before), m_track.before(before, seconds).camera};
     }
-    /// Kept until the next one.
-    [[nodiscard]] model::Result<void> draw(double seconds)
+    /// What the next picture shows.
+    [[nodiscard]] model::Result<void> show(double seconds)
     {
         const auto look = lookAt(seconds);
         if (!look) {
@@ -77,21 +78,36 @@ public:
         m_request.frame = frameAt(seconds);
         sayProblems();
         m_request.frame = colouredBy(look.value(), m_scene, m_request.frame);
-        if (auto drawn = m_maker->draw(m_request); !drawn) {
-            return drawn;
-        }
-        if (m_keyframes.progress().isBudgetReached) {
-            std::fprintf(stderr, "The memory for keyframes is used up: some clips stand still.\n");
-        }
         return {};
     }
-    [[nodiscard]] std::vector<std::uint8_t> pixels() const { return m_maker->pixels(); }
+    /// RGBA8, rows from the top; kept until the next one.
+    [[nodiscard]] model::Result<std::span<const std::uint8_t>> pixels()
+    {
+        if (auto drawn = said(m_maker->draw(m_request)); !drawn) {
+            return drawn.error();
+        }
+        return std::span<const std::uint8_t>(m_maker->pixels());
+    }
+    /// Until the program is to end.
     [[nodiscard]] model::Result<void> save(const QString& path, const PicturePasses& passes)
     {
-        return m_maker->save(path, m_request, passes);
+        const auto keepGoing = [this](double share) {
+            m_progress.drawn(share);
+            return !InterruptGuard::isToEnd();
+        };
+        return said(m_maker->save(path, m_request, passes, keepGoing));
     }
 
 private:
+    /// Of a picture that was drawn, what it lacks.
+    [[nodiscard]] model::Result<void> said(model::Result<void> drawn)
+    {
+        m_progress.end();
+        if (drawn && m_keyframes.progress().isBudgetReached) {
+            std::fprintf(stderr, "The memory for keyframes is used up: some clips stand still.\n");
+        }
+        return drawn;
+    }
     /// What the camera sees then, and how.
     [[nodiscard]] model::Result<ChosenLook> lookAt(double seconds)
     {
@@ -112,8 +128,9 @@ private:
     }
     [[nodiscard]] model::CrowdFramePtr frameAt(double seconds)
     {
-        auto frame = m_motion.at(seconds, nullptr,
-                                 [this, seconds](double done) { m_progress.tell(done, seconds); });
+        auto frame = m_motion.at(seconds, nullptr, [this, seconds](double done) {
+            m_progress.simulated(done, seconds);
+        });
         m_progress.end();
         return frame;
     }
@@ -136,7 +153,7 @@ private:
     LookWish m_look;
     LensWish m_lens;
     std::set<std::string> m_said;
-    SimulationProgress m_progress;
+    RenderProgress m_progress;
     std::unique_ptr<PictureMaker> m_maker;
 };
 
@@ -187,8 +204,8 @@ model::Result<void> writeFrames(ScenePictures& pictures, const RenderPlan& plan,
         if (needAny(plan.passes, PassNeed::Motion)) {
             pictures.setBefore(plan.secondsBefore(frame), plan.secondsOf(frame));
         }
-        if (auto drawn = pictures.draw(plan.secondsOf(frame)); !drawn) {
-            return drawn;
+        if (auto shown = pictures.show(plan.secondsOf(frame)); !shown) {
+            return shown;
         }
         {
             const InterruptGuard guard;
@@ -218,10 +235,14 @@ model::Result<void> writeMovie(ScenePictures& pictures, const RenderPlan& plan,
         if (InterruptGuard::isToEnd()) {
             return {};
         }
-        if (auto drawn = pictures.draw(plan.secondsOf(frame)); !drawn) {
-            return drawn;
+        if (auto shown = pictures.show(plan.secondsOf(frame)); !shown) {
+            return shown;
         }
-        if (auto added = movie.value()->add(pictures.pixels()); !added) {
+        const auto pixels = pictures.pixels();
+        if (!pixels) {
+            return pixels.error();
+        }
+        if (auto added = movie.value()->add(pixels.value()); !added) {
             return added;
         }
     }

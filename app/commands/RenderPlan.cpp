@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/RenderPlan.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "app/commands/OptionText.h"
 #include "app/pictures/MovieFormats.h"
+#include "app/pictures/PictureFile.h"
 #include "app/pictures/PictureFormats.h"
 #include "behavior/session/SceneMotion.h"
 
@@ -95,6 +97,20 @@ model::Result<void> planTransparency(const RenderOptions& options, RenderPlan& p
     return {};
 }
 
+/// Before anything is simulated.
+model::Result<void> checkRoom(const RenderOptions& options, const RenderPlan& plan)
+{
+    const QString path = QString::fromStdString(options.output);
+    if (plan.isMovie && std::max(plan.size.x, plan.size.y) > kMostMoviePixelsASide) {
+        return model::Error{"--size " + options.size +
+                            " is too large for a movie: at most 16384 a side."};
+    }
+    const bool isPicture =
+        pictureFormatOf(path) != nullptr; // others are told when they are written
+    return isPicture ? roomForPicture(path, {plan.size, plan.isTransparent})
+                     : model::Result<void>();
+}
+
 } // namespace
 
 double RenderPlan::secondsBefore(int frame) const
@@ -126,7 +142,7 @@ model::Result<RenderPlan> planOf(const RenderOptions& options)
     if (!size) {
         return model::Error{"--size " + options.size +
                             " is not a size in pixels: give it as WIDTHxHEIGHT, such as 1280x720, "
-                            "at most 16384 a side."};
+                            "at most 32768 a side."};
     }
     plan.size = *size;
     plan.startSeconds = options.time;
@@ -142,6 +158,9 @@ model::Result<RenderPlan> planOf(const RenderOptions& options)
     }
     if (auto transparency = planTransparency(options, plan); !transparency) {
         return transparency.error();
+    }
+    if (auto room = checkRoom(options, plan); !room) {
+        return room.error();
     }
     if (!isInRange(plan.secondsOf(plan.frames.last()), -kMost, kMost)) {
         return model::Error{"--frames " + options.frames +

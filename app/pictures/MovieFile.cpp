@@ -122,7 +122,7 @@ model::Error MovieFile::problem()
         m_path.toStdString(), said.right(kMostSaid).toStdString()};
 }
 
-model::Result<void> MovieFile::add(const std::vector<std::uint8_t>& rgba)
+model::Result<void> MovieFile::add(std::span<const std::uint8_t> rgba)
 {
     m_encoder.write(reinterpret_cast<const char*>(rgba.data()), static_cast<qint64>(rgba.size()));
     while (m_encoder.bytesToWrite() > 0) {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <memory>
-#include <vector>
+#include <span>
 
 #include <QtCore/QProcess>
 #include <QtCore/QString>
@@ -29,7 +29,7 @@ public:
     MovieFile& operator=(const MovieFile&) = delete;
 
     /// RGBA8 rows from the top, of that size; alpha says nothing.
-    [[nodiscard]] model::Result<void> add(const std::vector<std::uint8_t>& rgba);
+    [[nodiscard]] model::Result<void> add(std::span<const std::uint8_t> rgba);
     /// Once, after the last picture.
     [[nodiscard]] model::Result<void> finish();
 

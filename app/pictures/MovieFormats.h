@@ -17,6 +17,9 @@ struct MovieFormat
     std::span<const char* const> arguments; ///< of ffmpeg, between what is read and the file
 };
 
+/// Of the frames, a side: what encoders take.
+inline constexpr int kMostMoviePixelsASide = 16384;
+
 /// The usual one first.
 [[nodiscard]] std::span<const MovieFormat> movieFormats();
 /// By the ending of a file's name; null where there is none of that ending.

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/pictures/PictureFile.h"
 
-#include <string_view>
+#include <algorithm>
+#include <string>
 
 #include <QtCore/QByteArray>
-
-#include "app/pictures/PictureFormats.h"
-#include "model/project/WholeFile.h"
 
 namespace crowd::app {
 
@@ -20,22 +18,16 @@ model::Error notMade(const QString& path, const model::Error& error)
             path.toStdString(), error.said};
 }
 
-model::Result<void> writeBytes(const QString& path, const QByteArray& bytes)
+model::Error notWritten(const QString& path, const model::Error& error)
 {
-    const std::string_view text(bytes.constData(), static_cast<std::size_t>(bytes.size()));
-    if (auto written = model::writeWholeFile(path, text); !written) {
-        return model::Error{
-            QT_TRANSLATE_NOOP("Messages", "%1 cannot be written: %2. Check the folder, its rights "
+    return {QT_TRANSLATE_NOOP("Messages", "%1 cannot be written: %2. Check the folder, its rights "
                                           "and the space on the disk."),
-            path.toStdString(), written.error().said};
-    }
-    return {};
+            path.toStdString(), error.said};
 }
 
 } // namespace
 
-model::Result<void> writePicture(const QString& path, const std::vector<std::uint8_t>& rgba,
-                                 glm::ivec2 size, bool isTransparent)
+model::Result<void> roomForPicture(const QString& path, const PictureShape& shape)
 {
     const PictureFormat* format = pictureFormatOf(path);
     if (format == nullptr) {
@@ -45,17 +37,86 @@ model::Result<void> writePicture(const QString& path, const std::vector<std::uin
                 "%1: let the name end in one of %2; it says what the picture is written as."),
             path.toStdString(), pictureEndings()};
     }
-    if (isTransparent && !format->hasTransparency) {
+    const std::string name(format->name);
+    if (shape.isTransparent && !format->hasTransparency) {
         return model::Error{QT_TRANSLATE_NOOP("Messages",
                                               "%1: a %2 file cannot be transparent. Let the name "
                                               "end in .png, or switch the transparency off."),
-                            path.toStdString(), std::string(format->name)};
+                            path.toStdString(), name};
     }
-    const auto encoded = format->encode({rgba, size, isTransparent});
-    if (!encoded) {
-        return notMade(path, encoded.error());
+    const int longest = std::max(shape.size.x, shape.size.y);
+    if (longest > kMostPixelsASide) {
+        return model::Error{QT_TRANSLATE_NOOP("Messages",
+                                              "%1: a picture has at most %2 pixels a side, not %3. "
+                                              "Choose a smaller size."),
+                            path.toStdString(), kMostPixelsASide, longest};
     }
-    return writeBytes(path, encoded.value());
+    if (longest > format->mostPixelsASide) {
+        return model::Error{
+            QT_TRANSLATE_NOOP("Messages", "%1: a %2 file has at most %3 pixels a side, not %4. Let "
+                                          "the name end in .png, or choose a smaller size."),
+            path.toStdString(), name, format->mostPixelsASide, longest};
+    }
+    return {};
+}
+
+model::Result<std::unique_ptr<PictureFile>> PictureFile::begin(const QString& path,
+                                                               const PictureShape& shape)
+{
+    if (auto room = roomForPicture(path, shape); !room) {
+        return room.error();
+    }
+    std::unique_ptr<PictureFile> picture(new PictureFile(path));
+    auto file = model::WholeFile::begin(path);
+    if (!file) {
+        return notWritten(path, file.error());
+    }
+    picture->m_file.emplace(std::move(file).value());
+    picture->m_encoder = pictureFormatOf(path)->encoder(
+        shape, [file = picture.get()](std::string_view bytes) { return file->take(bytes); });
+    return picture;
+}
+
+model::Result<void> PictureFile::add(std::span<const std::uint8_t> rows)
+{
+    return said(m_encoder->add(rows));
+}
+
+model::Result<void> PictureFile::finish()
+{
+    if (auto encoded = said(m_encoder->finish()); !encoded) {
+        return encoded;
+    }
+    const auto kept = m_file->commit();
+    return kept ? kept : notWritten(m_path, kept.error());
+}
+
+model::Result<void> PictureFile::take(std::string_view bytes)
+{
+    auto written = m_file->write(bytes);
+    if (!written) {
+        m_diskError = written.error();
+    }
+    return written;
+}
+
+model::Result<void> PictureFile::said(const model::Result<void>& done) const
+{
+    if (done) {
+        return done;
+    }
+    return m_diskError ? notWritten(m_path, *m_diskError) : notMade(m_path, done.error());
+}
+
+model::Result<void> writePicture(const QString& path, const std::vector<std::uint8_t>& rgba,
+                                 glm::ivec2 size, bool isTransparent)
+{
+    const auto file = PictureFile::begin(path, {size, isTransparent});
+    if (!file) {
+        return file.error();
+    }
+    auto added = file.value()->add(rgba);
+    return added ? file.value()->finish() : added;
 }
 
 model::Result<void> roomForPasses(const QString& path)
@@ -79,7 +140,10 @@ model::Result<void> writeLayers(const QString& path, const ExrHeader& header,
     if (!encoded) {
         return notMade(path, encoded.error());
     }
-    return writeBytes(path, encoded.value());
+    const QByteArray& bytes = encoded.value();
+    const auto written =
+        model::writeWholeFile(path, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    return written ? written : notWritten(path, written.error());
 }
 
 } // namespace crowd::app

@@ -2,7 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <QtCore/QString>
@@ -10,17 +14,46 @@
 #include <glm/vec2.hpp>
 
 #include "app/pictures/ExrFile.h"
+#include "app/pictures/PictureFormats.h"
 #include "model/base/Result.h"
+#include "model/project/WholeFile.h"
 
 namespace crowd::app {
 
-/// Writes RGBA8 rows from the top to a picture file whose kind its ending tells; whole or not at
-/// all. One that is transparent has its colours times alpha, as the renderer leaves them; the alpha
-/// of another one says nothing.
+/// A picture that is written to a file row by row, whole or not at all; its ending tells what as.
+/// A transparent one has its colours times alpha, as the renderer leaves them; the alpha of another
+/// one says nothing.
+class PictureFile
+{
+public:
+    /// Before any pixel is drawn, also of what cannot be; see roomForPicture().
+    [[nodiscard]] static model::Result<std::unique_ptr<PictureFile>>
+    begin(const QString& path, const PictureShape& shape);
+
+    /// Some rows of RGBA8, from the top.
+    [[nodiscard]] model::Result<void> add(std::span<const std::uint8_t> rows);
+    /// Once, after the last row; without it the file stays as it was.
+    [[nodiscard]] model::Result<void> finish();
+
+private:
+    explicit PictureFile(QString path) : m_path(std::move(path)) {}
+
+    [[nodiscard]] model::Result<void> take(std::string_view bytes);
+    [[nodiscard]] model::Result<void> said(const model::Result<void>& done) const;
+
+    QString m_path;
+    std::optional<model::WholeFile> m_file;
+    std::optional<model::Error> m_diskError;
+    std::unique_ptr<PictureEncoder> m_encoder;
+};
+
+/// All rows at once.
 [[nodiscard]] model::Result<void> writePicture(const QString& path,
                                                const std::vector<std::uint8_t>& rgba,
                                                glm::ivec2 size, bool isTransparent = false);
 
+/// An error where no file of that ending can be of that shape.
+[[nodiscard]] model::Result<void> roomForPicture(const QString& path, const PictureShape& shape);
 /// An error unless files of that ending hold passes.
 [[nodiscard]] model::Result<void> roomForPasses(const QString& path);
 /// Several layers of one, as OpenEXR, which the path says; whole or not at all.

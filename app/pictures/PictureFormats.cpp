@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/pictures/PictureFormats.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
+#include <utility>
+#include <vector>
 
 #include <QtCore/QBuffer>
 #include <QtCore/QFileInfo>
@@ -11,67 +11,103 @@
 #include <QtGui/QImageWriter>
 
 #include "app/pictures/ExrFile.h"
-#include "model/base/Color.h"
+#include "app/pictures/PngEncoder.h"
+#include "app/pictures/StraightAlpha.h"
 
 namespace crowd::app {
 
 namespace {
 
 constexpr int kJpegQuality = 95; ///< of 100
+constexpr int kMostAtOnce = 16384;
 
-/// sRGB of what light times alpha was encoded from, without the alpha.
-std::uint8_t unmultiplied(std::uint8_t encoded, std::uint8_t alpha)
+/// Of those that want the picture whole.
+class WholeEncoder : public PictureEncoder
 {
-    constexpr float kMost = 255.0F;
-    const float light = model::linearFromSrgb(static_cast<float>(encoded) / kMost);
-    const float own = std::min(1.0F, light * kMost / static_cast<float>(alpha));
-    return static_cast<std::uint8_t>(std::lround(model::srgbFromLinear(own) * kMost));
-}
+public:
+    using Encode = model::Result<QByteArray> (*)(std::vector<std::uint8_t>& rgba,
+                                                 const PictureShape& shape);
 
-QImage transparentImage(std::vector<std::uint8_t> rgba, glm::ivec2 size)
-{
-    for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
-        const std::uint8_t alpha = rgba[i + 3];
-        if (alpha == 0 || alpha == 255) {
-            continue;
-        }
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            rgba[i + channel] = unmultiplied(rgba[i + channel], alpha);
-        }
+    WholeEncoder(const PictureShape& shape, ByteSink sink, Encode encode)
+        : m_shape(shape), m_sink(std::move(sink)), m_encode(encode)
+    {
     }
-    return QImage(rgba.data(), size.x, size.y, size.x * 4, QImage::Format_RGBA8888).copy();
+
+    model::Result<void> add(std::span<const std::uint8_t> rows) override
+    {
+        const auto width = static_cast<std::size_t>(m_shape.size.x);
+        m_rgba.reserve(width * static_cast<std::size_t>(m_shape.size.y) * 4);
+        m_rgba.insert(m_rgba.end(), rows.begin(), rows.end());
+        return {};
+    }
+
+    model::Result<void> finish() override
+    {
+        const auto bytes = m_encode(m_rgba, m_shape);
+        if (!bytes) {
+            return bytes.error();
+        }
+        return m_sink({bytes.value().constData(), static_cast<std::size_t>(bytes.value().size())});
+    }
+
+private:
+    PictureShape m_shape;
+    ByteSink m_sink;
+    Encode m_encode;
+    std::vector<std::uint8_t> m_rgba;
+};
+
+template<WholeEncoder::Encode kEncode>
+std::unique_ptr<PictureEncoder> whole(const PictureShape& shape, ByteSink sink)
+{
+    return std::make_unique<WholeEncoder>(shape, std::move(sink), kEncode);
 }
 
-/// Without an alpha channel in the file.
-QImage opaqueImage(const std::vector<std::uint8_t>& rgba, glm::ivec2 size)
+/// Without an alpha channel in the file, unless it is transparent. Shares the pixels.
+QImage imageOf(std::vector<std::uint8_t>& rgba, const PictureShape& shape)
 {
+    const glm::ivec2 size = shape.size;
+    if (shape.isTransparent) {
+        straightenAlpha(rgba);
+        return {rgba.data(), size.x, size.y, size.x * 4, QImage::Format_RGBA8888};
+    }
     return QImage(rgba.data(), size.x, size.y, size.x * 4, QImage::Format_RGBX8888)
         .convertToFormat(QImage::Format_RGB888);
 }
 
-QImage imageOf(const DrawnPicture& picture)
-{
-    return picture.isTransparent ? transparentImage(picture.rgba, picture.size)
-                                 : opaqueImage(picture.rgba, picture.size);
-}
-
-model::Result<QByteArray> encoded(const DrawnPicture& picture, const char* format, int quality = -1)
+model::Result<QByteArray> encoded(std::vector<std::uint8_t>& rgba, const PictureShape& shape,
+                                  const char* format, int quality = -1)
 {
     QBuffer bytes;
     QImageWriter writer(&bytes, format);
     writer.setQuality(quality);
-    if (!writer.write(imageOf(picture))) {
+    if (!writer.write(imageOf(rgba, shape))) {
         return model::Error{writer.errorString().toStdString()};
     }
     return bytes.data();
 }
 
-/// Of half floats, for those who go on working with it.
-model::Result<QByteArray> linear(const DrawnPicture& picture)
+model::Result<QByteArray> jpeg(std::vector<std::uint8_t>& rgba, const PictureShape& shape)
 {
-    const std::array layer{colourLayer(picture.rgba, picture.isTransparent)};
+    return encoded(rgba, shape, "jpg", kJpegQuality);
+}
+
+model::Result<QByteArray> tiff(std::vector<std::uint8_t>& rgba, const PictureShape& shape)
+{
+    return encoded(rgba, shape, "tiff");
+}
+
+model::Result<QByteArray> webp(std::vector<std::uint8_t>& rgba, const PictureShape& shape)
+{
+    return encoded(rgba, shape, "webp", 100);
+}
+
+/// Of half floats, for those who go on working with it.
+model::Result<QByteArray> linear(std::vector<std::uint8_t>& rgba, const PictureShape& shape)
+{
+    const std::array layer{colourLayer(rgba, shape.isTransparent)};
     ExrHeader header;
-    header.size = picture.size;
+    header.size = shape.size;
     return encodeExr(header, layer);
 }
 
@@ -82,13 +118,11 @@ constexpr const char* kWebp[] = {"webp"};
 constexpr const char* kExr[] = {"exr"};
 
 constexpr PictureFormat kFormats[] = {
-    {"PNG", kPng, true, false, [](const DrawnPicture& drawn) { return encoded(drawn, "png"); }},
-    {"JPEG", kJpeg, false, false,
-     [](const DrawnPicture& drawn) { return encoded(drawn, "jpg", kJpegQuality); }},
-    {"TIFF", kTiff, true, false, [](const DrawnPicture& drawn) { return encoded(drawn, "tiff"); }},
-    {"WebP", kWebp, true, false,
-     [](const DrawnPicture& drawn) { return encoded(drawn, "webp", 100); }},
-    {"OpenEXR", kExr, true, true, &linear}};
+    {"PNG", kPng, true, false, kMostPixelsASide, &makePngEncoder},
+    {"JPEG", kJpeg, false, false, kMostAtOnce, &whole<&jpeg>},
+    {"TIFF", kTiff, true, false, kMostAtOnce, &whole<&tiff>},
+    {"WebP", kWebp, true, false, 16383, &whole<&webp>}, // the format's own limit
+    {"OpenEXR", kExr, true, true, kMostAtOnce, &whole<&linear>}};
 
 } // namespace
 

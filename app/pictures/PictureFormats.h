@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
-#include <vector>
+#include <string_view>
 
-#include <QtCore/QByteArray>
 #include <QtCore/QString>
 
 #include <glm/vec2.hpp>
@@ -15,12 +16,30 @@
 
 namespace crowd::app {
 
-/// A picture as the renderer leaves it.
-struct DrawnPicture
+/// What a file has to know of a picture before its pixels.
+struct PictureShape
 {
-    const std::vector<std::uint8_t>& rgba; ///< sRGB, rows from the top
     glm::ivec2 size{0};
     bool isTransparent = false; ///< its colours are times alpha; else its alpha says nothing
+};
+
+/// Takes bytes of a file, in order.
+using ByteSink = std::function<model::Result<void>(std::string_view bytes)>;
+
+/// Makes a file's bytes of a picture as the renderer leaves it: RGBA8, sRGB, rows from the top. The
+/// messages say only why there are none, or what its sink said.
+class PictureEncoder
+{
+public:
+    PictureEncoder() = default;
+    PictureEncoder(const PictureEncoder&) = delete;
+    PictureEncoder& operator=(const PictureEncoder&) = delete;
+    virtual ~PictureEncoder() = default;
+
+    /// Some whole rows.
+    [[nodiscard]] virtual model::Result<void> add(std::span<const std::uint8_t> rows) = 0;
+    /// After the last row.
+    [[nodiscard]] virtual model::Result<void> finish() = 0;
 };
 
 /// A kind of file that pictures are written as. The command line, its help, scripts and their
@@ -30,10 +49,13 @@ struct PictureFormat
     const char* name;
     std::span<const char* const> endings; ///< without the dot, lower case; the first is the usual
     bool hasTransparency;
-    bool hasLayers; ///< room for passes, see PicturePass
-    /// The file's bytes; the message says why there are none.
-    model::Result<QByteArray> (*encode)(const DrawnPicture& picture);
+    bool hasLayers;      ///< room for passes, see PicturePass
+    int mostPixelsASide; ///< those that are not written row by row are held in memory twice
+    std::unique_ptr<PictureEncoder> (*encoder)(const PictureShape& shape, ByteSink sink);
 };
+
+/// Of the formats that take the largest pictures.
+inline constexpr int kMostPixelsASide = 32768;
 
 /// The usual one first.
 [[nodiscard]] std::span<const PictureFormat> pictureFormats();

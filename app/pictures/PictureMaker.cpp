@@ -2,6 +2,7 @@
 #include "app/pictures/PictureMaker.h"
 
 #include "app/pictures/PictureFile.h"
+#include "app/pictures/PictureTiles.h"
 #include "render/SceneLook.h"
 
 namespace crowd::app {
@@ -47,6 +48,49 @@ model::Error stopped()
     return {QT_TRANSLATE_NOOP("Messages", "The picture was stopped.")};
 }
 
+/// Whether all numbers of so many pixels fit in the memory.
+model::Result<void> roomForLayers(glm::ivec2 size)
+{
+    if (static_cast<std::int64_t>(size.x) * size.y <= kMostPixels) {
+        return {};
+    }
+    return model::Error{
+        QT_TRANSLATE_NOOP("Messages",
+                          "%1 by %2 pixels are too many for passes, whose numbers take much "
+                          "memory: at most 40 million. Choose a smaller size."),
+        size.x, size.y};
+}
+
+/// Of a picture in tiles.
+class Progress
+{
+public:
+    Progress(const model::KeepGoing& keepGoing, std::size_t tiles)
+        : m_keepGoing(keepGoing), m_tiles(static_cast<double>(tiles))
+    {
+    }
+
+    /// False: it is to stop.
+    [[nodiscard]] bool next()
+    {
+        ++m_tile;
+        return !m_keepGoing || m_tiles == 1.0 || m_keepGoing(m_tile / m_tiles);
+    }
+    /// Of what is drawn now.
+    [[nodiscard]] model::KeepGoing ofTile() const
+    {
+        if (!m_keepGoing) {
+            return {};
+        }
+        return [this](double share) { return m_keepGoing((m_tile + share) / m_tiles); };
+    }
+
+private:
+    const model::KeepGoing& m_keepGoing;
+    double m_tiles;
+    double m_tile = -1.0;
+};
+
 } // namespace
 
 model::Result<std::unique_ptr<PictureMaker>> PictureMaker::create(model::KeyframeStore& keyframes)
@@ -73,10 +117,51 @@ PictureMaker::~PictureMaker()
 model::Result<void> PictureMaker::draw(const PictureRequest& request,
                                        const model::KeepGoing& keepGoing)
 {
+    m_pixels.clear();
+    const auto keep = [this](std::span<const std::uint8_t> rows) -> model::Result<void> {
+        m_pixels.insert(m_pixels.end(), rows.begin(), rows.end());
+        return {};
+    };
+    return drawRows(request, keep, keepGoing);
+}
+
+model::Result<void> PictureMaker::drawRows(const PictureRequest& request, const RowSink& sink,
+                                           const model::KeepGoing& keepGoing)
+{
     if (!m_context->makeCurrent()) {
         return contextLost();
     }
-    const render::RenderInput input = inputOf(request, m_keyframes);
+    render::RenderInput input = inputOf(request, m_keyframes);
+    const model::View whole = input.view;
+    const std::vector<TileRow> rows = tilesOf(request.size, request.tileSide);
+    const auto width = static_cast<std::size_t>(request.size.x);
+    std::vector<std::uint8_t> pixels;
+    Progress progress{keepGoing, rows.size() * rows.front().size()};
+    for (const TileRow& row : rows) {
+        pixels.resize(width * static_cast<std::size_t>(row.front().size.y) * 4);
+        for (const PictureTile& tile : row) {
+            if (tile.drawnSize != request.size) {
+                input.view = whole.part(tile.drawnCorner, tile.drawnSize);
+                input.pixelSize = tile.drawnSize;
+            }
+            if (!progress.next()) {
+                return stopped();
+            }
+            if (auto drawn = drawTile(input, progress.ofTile()); !drawn) {
+                return drawn;
+            }
+            copyTile(tile, m_renderer.readPixels(), pixels, request.size.x);
+        }
+        if (auto taken = sink(pixels); !taken) {
+            return taken;
+        }
+    }
+    return {};
+}
+
+model::Result<void> PictureMaker::drawTile(const render::RenderInput& input,
+                                           const model::KeepGoing& keepGoing)
+{
     auto drawn = drawComplete(input);
     // Clips of earlier pictures may leave no room for these; a picture does not depend on them.
     if (drawn && m_hasDrawn && m_renderer.statistics().areKeyframesMissing) {
@@ -136,13 +221,8 @@ model::Result<std::vector<ExrLayer>> PictureMaker::layers(const PictureRequest& 
     if (!m_context->makeCurrent()) {
         return contextLost();
     }
-    const auto pixelCount = static_cast<std::int64_t>(request.size.x) * request.size.y;
-    if (pixelCount > kMostPixels && !passes.empty()) {
-        return model::Error{
-            QT_TRANSLATE_NOOP("Messages",
-                              "%1 by %2 pixels are too many for passes, whose numbers take much "
-                              "memory: at most 40 million. Choose a smaller size."),
-            request.size.x, request.size.y};
+    if (auto room = roomForLayers(request.size); !room && !passes.empty()) {
+        return room.error();
     }
     const auto shown = aovs(request, passes);
     if (!shown) {
@@ -152,7 +232,7 @@ model::Result<std::vector<ExrLayer>> PictureMaker::layers(const PictureRequest& 
     if (!covered) {
         return covered.error();
     }
-    return layersOf(passes, {pixels(), request.isTransparent, shown.value(), covered.value(),
+    return layersOf(passes, {m_pixels, request.isTransparent, shown.value(), covered.value(),
                              *request.frame, request.camera});
 }
 
@@ -161,13 +241,29 @@ model::Result<void> PictureMaker::save(const QString& path, const PictureRequest
                                        const model::KeepGoing& keepGoing)
 {
     if (passes.empty()) {
-        return writePicture(path, pixels(), size(), request.isTransparent);
+        const auto file = PictureFile::begin(path, {request.size, request.isTransparent});
+        if (!file) {
+            return file.error();
+        }
+        const auto add = [&](std::span<const std::uint8_t> rows) {
+            return file.value()->add(rows);
+        };
+        auto drawn = drawRows(request, add, keepGoing);
+        return drawn ? file.value()->finish() : drawn;
+    }
+    auto room = roomForPasses(path);
+    room = room ? roomForLayers(request.size) : room;
+    if (!room) {
+        return room;
+    }
+    if (auto drawn = draw(request, keepGoing); !drawn) {
+        return drawn;
     }
     const auto made = layers(request, passes, keepGoing);
     if (!made) {
         return made.error();
     }
-    return writeLayers(path, exrHeaderOf(passes, request.camera, size(), *request.frame),
+    return writeLayers(path, exrHeaderOf(passes, request.camera, request.size, *request.frame),
                        made.value());
 }
 

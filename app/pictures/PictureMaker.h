@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -33,6 +34,7 @@ struct PictureRequest
     std::optional<model::LookPreset> ownLook{}; ///< of the scene; its light, background and lines
     bool showShadows = true;
     bool isTransparent = false;         ///< see render::RenderInput
+    int tileSide = 2016;                ///< of those that larger ones are drawn in, see tilesOf()
     std::optional<render::Lens> lens{}; ///< none: everything is sharp
     /// A frame earlier, for the pass that says how everything moves; none: it stands.
     std::optional<render::EarlierMoment> earlier{};
@@ -51,27 +53,34 @@ public:
     PictureMaker& operator=(const PictureMaker&) = delete;
 
     /// Waits until all clips in the picture are baked. What was drawn before makes no difference.
-    /// An error where it is stopped.
+    /// One that is larger than graphics cards draw at once is put together. An error where it is
+    /// stopped.
     [[nodiscard]] model::Result<void> draw(const PictureRequest& request,
                                            const model::KeepGoing& keepGoing = {});
     /// Layers of the picture of a request that has just been drawn.
     [[nodiscard]] model::Result<std::vector<ExrLayer>>
     layers(const PictureRequest& request, const PicturePasses& passes,
            const model::KeepGoing& keepGoing = {});
-    /// Writes the picture of a request that has just been drawn to a file, whole or not at all:
-    /// with passes as OpenEXR of as many layers, without as its ending says.
+    /// Draws a picture to a file, whole or not at all: with passes as OpenEXR of as many layers,
+    /// without as its ending says. A large one is never whole in memory.
     [[nodiscard]] model::Result<void> save(const QString& path, const PictureRequest& request,
                                            const PicturePasses& passes,
                                            const model::KeepGoing& keepGoing = {});
-    /// The last picture: RGBA8, sRGB, rows from the top.
-    [[nodiscard]] std::vector<std::uint8_t> pixels() const { return m_renderer.readPixels(); }
+    /// The picture that draw() made last: RGBA8, sRGB, rows from the top.
+    [[nodiscard]] const std::vector<std::uint8_t>& pixels() const { return m_pixels; }
     /// Until the next picture the context belongs to no thread.
     void release() { m_context->doneCurrent(); }
-    [[nodiscard]] glm::ivec2 size() const { return m_renderer.size(); }
 
 private:
     explicit PictureMaker(model::KeyframeStore& keyframes) : m_keyframes(keyframes) {}
 
+    /// Takes some rows of a picture, from the top.
+    using RowSink = std::function<model::Result<void>(std::span<const std::uint8_t> rows)>;
+
+    [[nodiscard]] model::Result<void> drawRows(const PictureRequest& request, const RowSink& sink,
+                                               const model::KeepGoing& keepGoing);
+    [[nodiscard]] model::Result<void> drawTile(const render::RenderInput& input,
+                                               const model::KeepGoing& keepGoing);
     [[nodiscard]] model::Result<void> drawComplete(const render::RenderInput& input);
     [[nodiscard]] model::Result<void> ripen(render::RenderInput input,
                                             const model::KeepGoing& keepGoing);
@@ -84,6 +93,7 @@ private:
 
     model::KeyframeStore& m_keyframes;
     bool m_hasDrawn = false;
+    std::vector<std::uint8_t> m_pixels;
     std::unique_ptr<render::OffscreenContext> m_context;
     render::Renderer m_renderer;
 };

@@ -154,8 +154,11 @@ public:
                                           const PictureRequest& request,
                                           const model::KeepGoing& keepGoing)
     {
-        return m_movie ? m_movie->add(maker.pixels())
-                       : maker.save(m_job.fileOf(picture), request, m_job.passes, keepGoing);
+        if (!m_movie) {
+            return maker.save(m_job.fileOf(picture), request, m_job.passes, keepGoing);
+        }
+        auto drawn = maker.draw(request, keepGoing);
+        return drawn ? m_movie->add(maker.pixels()) : drawn;
     }
     [[nodiscard]] model::Result<void> finish()
     {
@@ -218,9 +221,6 @@ model::Result<void> drawMovie(const MovieJob& job, const widgets::TaskReport& re
         picture.request.ownLook = job.picture.request.ownLook;
         lookThrough(job.scene, job.camera.at(job.secondsOf(i)), picture);
         const PictureRequest& request = picture.ask(job.scene, frame.value());
-        if (auto drawn = maker.value()->draw(request, keepGoing); !drawn) {
-            return drawn;
-        }
         if (auto added = drawnFrames.add(i, *maker.value(), request, keepGoing); !added) {
             return added;
         }

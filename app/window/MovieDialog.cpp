@@ -15,6 +15,7 @@
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
 
+#include "app/pictures/MovieFormats.h"
 #include "app/window/PassFields.h"
 #include "app/window/PictureSizeFields.h"
 
@@ -51,7 +52,8 @@ MovieDialog::MovieDialog(const Offer& offer, QWidget* parent)
     : QDialog(parent), m_offer(offer), m_sources(new QComboBox(this)),
       m_from(secondsField("movieFrom", this)), m_to(secondsField("movieTo", this)),
       m_rates(new QComboBox(this)), m_count(new QLabel(this)),
-      m_size(new PictureSizeFields(offer.view, QStringLiteral("movie/size"), this)),
+      m_size(new PictureSizeFields(offer.view, kMostMoviePixelsASide, QStringLiteral("movie/size"),
+                                   this)),
       m_cameras(new QComboBox(this)),
       m_passes(new PassFields(QStringLiteral("movie/passes"), this)),
       m_transparent(new QCheckBox(tr("Transparent background"), this))

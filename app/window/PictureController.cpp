@@ -13,7 +13,6 @@
 #include <glm/geometric.hpp>
 
 #include "app/pictures/LensWish.h"
-#include "app/pictures/PictureFile.h"
 #include "app/pictures/PictureFormats.h"
 #include "app/pictures/PictureMaker.h"
 #include "app/window/AskForPath.h"
@@ -45,12 +44,6 @@ model::Result<void> drawPicture(const NamedJob& job, const model::KeepGoing& kee
     }
     PictureJob picture = job.picture;
     const PictureRequest& request = picture.ask(job.scene, job.frame);
-    if (auto room = job.passes.empty() ? model::Result<void>() : roomForPasses(job.path); !room) {
-        return room;
-    }
-    if (auto drawn = maker.value()->draw(request, keepGoing); !drawn) {
-        return drawn;
-    }
     return maker.value()->save(job.path, request, job.passes, keepGoing);
 }
 

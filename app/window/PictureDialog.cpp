@@ -10,6 +10,7 @@
 #include <QtWidgets/QFormLayout>
 #include <QtWidgets/QPushButton>
 
+#include "app/pictures/PictureFormats.h"
 #include "app/window/PassFields.h"
 #include "app/window/PictureSizeFields.h"
 
@@ -25,7 +26,8 @@ const QString kPictureTransparent = QStringLiteral("picture/transparent");
 
 PictureDialog::PictureDialog(glm::ivec2 view, const model::Camera& camera,
                              std::optional<double> selectedDepth, QWidget* parent)
-    : QDialog(parent), m_size(new PictureSizeFields(view, QStringLiteral("picture/size"), this)),
+    : QDialog(parent),
+      m_size(new PictureSizeFields(view, kMostPixelsASide, QStringLiteral("picture/size"), this)),
       m_transparent(new QCheckBox(this)), m_hasLens(new QCheckBox(this)),
       m_focuses(new QComboBox(this)), m_focus(new QDoubleSpinBox(this)),
       m_fStop(new QDoubleSpinBox(this)),

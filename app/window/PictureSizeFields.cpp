@@ -14,26 +14,28 @@ namespace crowd::app {
 namespace {
 
 constexpr int kLeastPixels = 16;
-constexpr int kMostPixels = 8192;
 
-QSpinBox* pixelField(const char* name, QWidget* parent)
+QSpinBox* pixelField(const char* name, int most, QWidget* parent)
 {
     auto* box = new QSpinBox(parent);
     box->setObjectName(QLatin1String(name));
-    box->setRange(kLeastPixels, kMostPixels);
+    box->setRange(kLeastPixels, most);
     return box;
 }
 
 } // namespace
 
-PictureSizeFields::PictureSizeFields(glm::ivec2 view, const QString& settingsKey, QWidget* parent)
+PictureSizeFields::PictureSizeFields(glm::ivec2 view, int mostPixelsASide,
+                                     const QString& settingsKey, QWidget* parent)
     : QWidget(parent), m_settingsKey(settingsKey), m_sizes(new QComboBox(this)),
-      m_width(pixelField("pictureWidth", this)), m_height(pixelField("pictureHeight", this))
+      m_width(pixelField("pictureWidth", mostPixelsASide, this)),
+      m_height(pixelField("pictureHeight", mostPixelsASide, this))
 {
     m_sizes->setObjectName(QStringLiteral("pictureSizes"));
     m_sizes->addItem(tr("As in the window"), QSize(view.x, view.y));
     m_sizes->addItem(tr("Full HD"), QSize(1920, 1080));
     m_sizes->addItem(tr("4K"), QSize(3840, 2160));
+    m_sizes->addItem(tr("8K"), QSize(7680, 4320));
     m_sizes->addItem(tr("Square"), QSize(2048, 2048));
     m_sizes->addItem(tr("Another size"), QSize());
     auto* pixels = new QHBoxLayout;

@@ -19,7 +19,8 @@ class PictureSizeFields : public QWidget
 
 public:
     /// `view`: size of the picture in the window, physical pixels.
-    PictureSizeFields(glm::ivec2 view, const QString& settingsKey, QWidget* parent);
+    PictureSizeFields(glm::ivec2 view, int mostPixelsASide, const QString& settingsKey,
+                      QWidget* parent);
 
     [[nodiscard]] glm::ivec2 chosen() const;
     void remember() const;

@@ -62,12 +62,25 @@ Camera Camera::lookingAt(const glm::vec3& from, const glm::vec3& at)
 }
 
 View::View(const Camera& camera, glm::vec2 sizePixels)
-    : m_camera(camera), m_size(glm::max(sizePixels, glm::vec2(1.0F))),
+    : m_camera(camera), m_size(glm::max(sizePixels, glm::vec2(1.0F))), m_wholeSize(m_size),
       m_near(camera.projection == Projection::Perspective ? kNear : -kFar),
       m_view(glm::mat4_cast(glm::conjugate(camera.orientation)) *
              glm::translate(glm::mat4(1.0F), -camera.position)),
       m_projection(projectionOf(camera, m_size)), m_viewProjection(m_projection * m_view)
 {
+}
+
+View View::part(glm::vec2 corner, glm::vec2 sizePixels) const
+{
+    View part = *this;
+    part.m_size = glm::max(sizePixels, glm::vec2(1.0F));
+    part.m_corner = corner;
+    const glm::vec2 scale = m_size / part.m_size;
+    const glm::vec2 aside = (m_size - 2.0F * corner - part.m_size) / part.m_size;
+    const glm::mat4 moved = glm::translate(glm::mat4(1.0F), {aside.x, -aside.y, 0.0F});
+    part.m_projection = glm::scale(moved, {scale.x, scale.y, 1.0F}) * m_projection;
+    part.m_viewProjection = part.m_projection * m_view;
+    return part;
 }
 
 std::optional<glm::vec3> View::project(const glm::vec3& world) const
@@ -84,8 +97,9 @@ std::optional<glm::vec3> View::project(const glm::vec3& world) const
 
 Ray View::rayThrough(glm::vec2 pixel) const
 {
-    const glm::vec2 ndc(pixel.x / m_size.x * 2.0F - 1.0F, 1.0F - pixel.y / m_size.y * 2.0F);
-    const float aspect = m_size.x / m_size.y;
+    const glm::vec2 at = pixel + m_corner;
+    const glm::vec2 ndc(at.x / m_wholeSize.x * 2.0F - 1.0F, 1.0F - at.y / m_wholeSize.y * 2.0F);
+    const float aspect = m_wholeSize.x / m_wholeSize.y;
     if (m_camera.projection == Projection::Perspective) {
         const float tangent = std::tan(m_camera.fovYRadians * 0.5F);
         const glm::vec3 inEye(ndc.x * tangent * aspect, ndc.y * tangent, -1.0F);
@@ -100,9 +114,9 @@ Ray View::rayThrough(glm::vec2 pixel) const
 float View::pixelsPerMetre(float depth) const
 {
     if (m_camera.projection == Projection::Orthographic) {
-        return m_size.y / m_camera.orthographicHeight;
+        return m_wholeSize.y / m_camera.orthographicHeight;
     }
-    return m_size.y / (2.0F * std::tan(m_camera.fovYRadians * 0.5F) * std::max(depth, m_near));
+    return m_wholeSize.y / (2.0F * std::tan(m_camera.fovYRadians * 0.5F) * std::max(depth, m_near));
 }
 
 } // namespace crowd::model

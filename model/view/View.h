@@ -38,15 +38,23 @@ struct Ray
     glm::vec3 direction{0.0F, 0.0F, -1.0F}; ///< unit
 };
 
-/// A camera with the size of the picture in logical pixels (y down, origin top left): what turns
-/// world into screen and back. The one place where projections are computed.
+/// A camera with the size of the picture in logical pixels (y down, origin top left), or with a
+/// part of it: what turns world into screen and back. The one place where projections are computed.
 class View
 {
 public:
     View(const Camera& camera, glm::vec2 sizePixels);
 
+    /// A part of this picture, as a picture by itself: what is at `corner` here is at its origin,
+    /// and as large as here. Not of a part.
+    [[nodiscard]] View part(glm::vec2 corner, glm::vec2 sizePixels) const;
+    /// What this one is a part of; else the same.
+    [[nodiscard]] View whole() const { return {m_camera, m_wholeSize}; }
+
     [[nodiscard]] const Camera& camera() const { return m_camera; }
     [[nodiscard]] glm::vec2 size() const { return m_size; }
+    /// Where a part begins in its whole.
+    [[nodiscard]] glm::vec2 corner() const { return m_corner; }
     [[nodiscard]] float nearPlane() const { return m_near; }
     [[nodiscard]] const glm::mat4& viewMatrix() const { return m_view; }
     [[nodiscard]] const glm::mat4& projectionMatrix() const
@@ -64,6 +72,8 @@ public:
 private:
     Camera m_camera;
     glm::vec2 m_size;
+    glm::vec2 m_wholeSize;
+    glm::vec2 m_corner{0.0F};
     float m_near;
     glm::mat4 m_view;
     glm::mat4 m_projection;

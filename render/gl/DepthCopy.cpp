@@ -46,4 +46,11 @@ glm::vec4 unprojectOf(const model::View& view)
     return {half, -2.0F / p[2][2], (p[3][2] + 1.0F) / p[2][2]};
 }
 
+glm::vec2 axisOf(const model::View& view)
+{
+    const glm::mat4& p = view.projectionMatrix();
+    const bool isPerspective = view.camera().projection == model::Projection::Perspective;
+    return isPerspective ? -glm::vec2(p[2]) : glm::vec2(p[3]);
+}
+
 } // namespace crowd::render

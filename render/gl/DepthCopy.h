@@ -31,5 +31,8 @@ private:
 /// What makes metres of a depth of 0..1: half the width and height of what is seen a metre away (or
 /// anywhere), and two numbers; see depth.glsl.
 [[nodiscard]] glm::vec4 unprojectOf(const model::View& view);
+/// Where the camera's axis is, beside the picture's middle: shares of half of the picture; not null
+/// in parts of pictures.
+[[nodiscard]] glm::vec2 axisOf(const model::View& view);
 
 } // namespace crowd::render

@@ -12,15 +12,17 @@ namespace {
 
 /// One over the distance along the camera's axis is linear in the picture: of (1, x, y), pixels
 /// from below on the left.
-glm::vec3 groundPlane(const model::Camera& camera, const glm::ivec2& size)
+glm::vec3 groundPlane(const model::View& view, const glm::ivec2& size)
 {
     constexpr float kGroundHeight = -0.005F; // as in ground.vert
+    const model::Camera& camera = view.camera();
     const float above = camera.position.y - kGroundHeight;
     if (above <= 0.0F) {
         return glm::vec3(0.0F);
     }
-    const float pixel = 2.0F * std::tan(camera.fovYRadians * 0.5F) / static_cast<float>(size.y);
-    const glm::vec2 middle = glm::vec2(size) * 0.5F;
+    const float ratio = static_cast<float>(size.y) / view.size().y;
+    const float pixel = 1.0F / (view.pixelsPerMetre(1.0F) * ratio);
+    const glm::vec2 middle = glm::vec2(size) * 0.5F * (1.0F + axisOf(view));
     const float aside = camera.right().y * pixel;
     const float up = camera.up().y * pixel;
     const float first = camera.forward().y - aside * middle.x - up * middle.y;
@@ -53,8 +55,8 @@ model::Result<void> InkPass::draw(const PassContext& context, const DepthCopy& d
     program.set("isPerspective", isPerspective ? 1 : 0);
     program.set("pixelsPerMetre", view.pixelsPerMetre(1.0F) * ratio);
     program.set("inkColor", context.style.inkColor);
-    program.set("groundPlane", context.input.showGround ? groundPlane(view.camera(), depths.size())
-                                                        : glm::vec3(0.0F));
+    program.set("groundPlane",
+                context.input.showGround ? groundPlane(view, depths.size()) : glm::vec3(0.0F));
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, depths.texture().name());
     glBindVertexArray(m_nothing.name());

@@ -100,7 +100,7 @@ void LightShadowPass::tell(PassContext& context) const
 
 Result<void> LightShadowPass::draw(PassContext& context, CrowdGpu& crowd)
 {
-    m_pixels = partPixels(context.pixelSize);
+    m_pixels = partPixels(context.wholePixels());
     m_lamps.clear();
     std::vector<glm::mat4> views;
     for (std::size_t i = 0; i < context.style.castingLights; ++i) {

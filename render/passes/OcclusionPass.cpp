@@ -89,6 +89,7 @@ Result<void> OcclusionPass::find(const PassContext& context, const DepthCopy& de
     const float ratio = static_cast<float>(m_size.y) / view.size().y;
     program.set("depths", 0);
     program.set("unproject", unprojectOf(view));
+    program.set("axis", axisOf(view));
     program.set("isPerspective", isPerspective ? 1 : 0);
     program.set("coarseness", m_coarseness);
     program.set("radius", kRadius);

@@ -83,6 +83,12 @@ void PassContext::setLights(ShaderProgram& program) const
     }
 }
 
+glm::ivec2 PassContext::wholePixels() const
+{
+    const glm::vec2 share = input.view.whole().size() / input.view.size();
+    return {glm::vec2(pixelSize) * share + 0.5F};
+}
+
 void PassContext::countDraw(std::int64_t triangles) const
 {
     ++statistics.draws;

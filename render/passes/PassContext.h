@@ -50,6 +50,8 @@ struct PassContext
     /// Camera and light of a program in use.
     void setCommon(ShaderProgram& program) const;
     void countDraw(std::int64_t triangles) const;
+    /// Of what this picture is a part of; else its own size.
+    [[nodiscard]] glm::ivec2 wholePixels() const;
 
 private:
     void setLights(ShaderProgram& program) const;

@@ -79,7 +79,7 @@ void ShadowPass::initialize()
 
 std::optional<SunView> ShadowPass::sunView(const PassContext& context) const
 {
-    const View& view = context.input.view;
+    const View view = context.input.view.whole(); // all parts of a picture are in the same shadows
     const Bounds people = boundsOfPeople(context);
     Bounds all = boundsOf(context);
     all.add(people);
@@ -92,7 +92,7 @@ std::optional<SunView> ShadowPass::sunView(const PassContext& context) const
     const float away = glm::length(glm::max(glm::max(subject.low - eye, eye - subject.high), 0.0F));
     const float reach = view.pixelsPerMetre(1.0F) / kLeastPixelsPerMetre;
     return fitSunView(view, away + reach, all, context.style.light.sunDirection,
-                      mapPixels(context.pixelSize));
+                      mapPixels(context.wholePixels()));
 }
 
 void ShadowPass::tell(PassContext& context, const SunView& sun) const
@@ -124,7 +124,7 @@ Result<void> ShadowPass::draw(PassContext& context, CrowdGpu& crowd)
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5F, 4.0F);
     const auto begun =
-        m_still.begin(m_target, mapPixels(context.pixelSize), casting, {&sun->clipFromWorld, 1},
+        m_still.begin(m_target, mapPixels(context.wholePixels()), casting, {&sun->clipFromWorld, 1},
                       [&] { return m_stage.drawCasters(casting); });
     Result<void> drawn = begun ? Result<void>() : begun.error();
     if (begun && begun.value() && context.input.frame) {

@@ -12,6 +12,7 @@ uniform ivec2 last;          // pixel
 #else
 uniform sampler2D depths;
 uniform vec4 unproject; // half the width and height at a metre, and what depth is in metres
+uniform vec2 axis;      // where the camera looks, beside the middle
 uniform bool isPerspective;
 uniform int coarseness;        // pixels to a texel of what is found
 uniform float radius;         // metres
@@ -35,7 +36,7 @@ vec3 viewAt(ivec2 pixel)
     ivec2 within = clamp(pixel, ivec2(0), last);
     float depth = texelFetch(depths, within, 0).r;
     float away = isPerspective ? unproject.z / (depth + unproject.w) : unproject.z * depth + unproject.w;
-    vec2 where = (vec2(within) * 2.0 + 1.0) * texel - 1.0;
+    vec2 where = (vec2(within) * 2.0 + 1.0) * texel - 1.0 - axis;
     return vec3(where * unproject.xy * (isPerspective ? away : 1.0), -away);
 }
 #endif

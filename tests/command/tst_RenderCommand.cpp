@@ -55,7 +55,11 @@ void RenderCommandTest::drawsOnlyWhatMakesSense_data()
          "no take named \"Rehearsal\""},
         {"size 0", "--output %1/a.png --size 0x0", 2, "--size 0x0"},
         {"size of one number", "--output %1/a.png --size 64", 2, "WIDTHxHEIGHT"},
-        {"size 100000", "--output %1/a.png --size 100000x100000", 2, "at most 16384"},
+        {"size 100000", "--output %1/a.png --size 100000x100000", 2, "at most 32768"},
+        {"a JPEG beyond what it holds", "--output %1/a.jpg --size 20000x20", 2,
+         "a JPEG file has at most 16384"},
+        {"a movie beyond all", "--output %1/a.mp4 --frames 0-3 --size 20000x20", 2,
+         "too large for a movie"},
         {"negative size", "--output %1/a.png --size -64x-36", 2, "--size"},
         {"no such folder", "--output %1/no/a.png --allow-missing", 1, "a.png cannot be written"},
         {"a folder", "--output %1/ --allow-missing", 1, "let the name end in one of .png"},
@@ -154,6 +158,11 @@ void RenderCommandTest::drawsPicturesOfTheSizeAskedFor()
              QStringLiteral("f_008.png f_009.png f_010.png f_012.png"));
     QCOMPARE(QFileInfo(kept).size(), 100);
     QCOMPARE(QString::fromUtf8(more.output).count(QStringLiteral(".png")), 2);
+    const QString wide = folder.filePath(QStringLiteral("wide.png"));
+    const Outcome large = run({QStringLiteral("render"), exampleScene(), QStringLiteral("--output"),
+                               wide, QStringLiteral("--size"), QStringLiteral("20000x20")});
+    QVERIFY2(large.status == 0, large.errors.constData());
+    QCOMPARE(QImage(wide).size(), QSize(20000, 20));
     const QStringList missing{QStringLiteral("render"), QStringLiteral("/nowhere/at-all.crowd"),
                               QStringLiteral("--output"), pattern.left(pattern.size() - 7)};
     QCOMPARE(run(missing + QStringList{QStringLiteral("--size"), QStringLiteral("9x9")}).status, 1);

@@ -4,4 +4,5 @@ crowd_add_tests(ROOM images LINK crowd_app OpenEXR::OpenEXR TESTS
     tst_MovieFile
     tst_PicturePasses
     tst_Pictures
+    tst_PictureTiles
 )

@@ -31,12 +31,15 @@ private Q_SLOTS:
     void seesWhatPeopleSee();
     void overlooksWhatDriversDo_data();
     void overlooksWhatDriversDo();
+    void tilesLookLikeTheWhole_data();
+    void tilesLookLikeTheWhole();
     void aPictureDoesNotDependOnThoseBefore_data();
     void aPictureDoesNotDependOnThoseBefore();
 
 private:
     [[nodiscard]] QImage draw(const model::Scene& scene, const char* camera = "",
-                              render::Look look = render::Look::Lit, int scale = 1);
+                              render::Look look = render::Look::Lit, int scale = 1,
+                              int tileSide = 2016);
 
     model::KeyframeStore m_keyframes;
     std::unique_ptr<app::PictureMaker> m_maker;
@@ -199,7 +202,7 @@ void tst_Pictures::initTestCase()
 }
 
 QImage tst_Pictures::draw(const model::Scene& scene, const char* camera, render::Look look,
-                          int scale)
+                          int scale, int tileSide)
 {
     const std::vector<model::WorldSeat> seats = scene.worldSeats();
     app::PictureRequest request;
@@ -221,6 +224,7 @@ QImage tst_Pictures::draw(const model::Scene& scene, const char* camera, render:
     request.camera = (found == scene.cameras.end() ? scene.cameras.front() : *found).camera;
     request.size = kSize * scale;
     request.look = look;
+    request.tileSide = tileSide;
     const auto drawn = m_maker->draw(request);
     if (!drawn) {
         qFatal("%s", drawn.error().message.c_str());
@@ -337,6 +341,43 @@ void tst_Pictures::seesWhatPeopleSee()
     changeOneThing(scene, change);
     const PictureDifference difference = comparePictures(before, draw(scene));
     QVERIFY2(difference.isVisible(), qPrintable(told(difference)));
+}
+
+void tst_Pictures::tilesLookLikeTheWhole_data()
+{
+    QTest::addColumn<int>("look");
+    QTest::addColumn<QString>("light");
+    QTest::addColumn<bool>("isFlat");
+    for (const render::LookInfo& look : render::kLooks) {
+        QTest::newRow(look.key) << static_cast<int>(look.look) << QString() << false;
+    }
+    const int lit = static_cast<int>(render::Look::Lit);
+    for (const char* light : {"spot", "point", "mist"}) {
+        QTest::newRow(light) << lit << QString::fromLatin1(light) << false;
+    }
+    QTest::newRow("orthographic") << lit << QString() << true;
+    QTest::newRow("orthographic, with lines")
+        << static_cast<int>(render::Look::Cartoon) << QString() << true;
+}
+
+/// Nowhere is a seam: what rounds differently is a step or two.
+void tst_Pictures::tilesLookLikeTheWhole()
+{
+    QFETCH(const int, look);
+    QFETCH(const QString, light);
+    QFETCH(const bool, isFlat);
+    model::Scene scene = boxPeople();
+    lightUp(scene, light);
+    if (isFlat) {
+        scene.cameras.front().camera.projection = model::Projection::Orthographic;
+        scene.cameras.front().camera.orthographicHeight = 4.0F;
+    }
+    const auto used = static_cast<render::Look>(look);
+    const QImage whole = draw(scene, "", used, 2);
+    const QImage tiles = draw(scene, "", used, 2, 120);
+    const PictureDifference difference = comparePictures(whole, tiles);
+    QVERIFY2(std::abs(difference.shift) < 0.05 && difference.worst < 6.0,
+             qPrintable(told(difference)));
 }
 
 void tst_Pictures::overlooksWhatDriversDo_data()
