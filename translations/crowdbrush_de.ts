@@ -1056,10 +1056,6 @@
         <translation>Von &amp;hier an neu</translation>
     </message>
     <message>
-        <source>The run goes on from the moment shown; what came after it is forgotten</source>
-        <translation>Der Lauf geht vom gezeigten Augenblick an weiter; was danach kam, wird vergessen</translation>
-    </message>
-    <message>
         <source>&amp;Camera as Now</source>
         <translation>&amp;Kamera wie jetzt</translation>
     </message>
@@ -1122,6 +1118,10 @@
     <message>
         <source>Type the name of an action, a brush, a panel or a setting</source>
         <translation>Den Namen einer Aktion, eines Pinsels, eines Bedienfelds oder einer Einstellung eingeben</translation>
+    </message>
+    <message>
+        <source>The run goes on from the moment shown, and what came after it is forgotten; out of a take another run goes on from there</source>
+        <translation>Der Lauf geht vom gezeigten Augenblick an weiter, und was danach kam, ist vergessen; aus einem Take heraus geht ein anderer Lauf von dort an weiter</translation>
     </message>
 </context>
 <context>
@@ -6045,10 +6045,6 @@
         <translation>Der Grafiktreiber bietet keinen Bildspeicher für Zahlen mit %1 mal %2 Pixeln. Versuchen Sie ein kleineres Bild.</translation>
     </message>
     <message>
-        <source>%1 has no room for passes: let the name end in .exr.</source>
-        <translation>%1 hat keinen Platz für Ebenen: Lassen Sie den Namen auf .exr enden.</translation>
-    </message>
-    <message>
         <source>%1 by %2 pixels are too many for passes, whose numbers take much memory: at most 40 million. Choose a smaller size.</source>
         <translation>%1 mal %2 Pixel sind zu viele für Ebenen, deren Zahlen viel Speicher brauchen: höchstens 40 Millionen. Wählen Sie eine kleinere Größe.</translation>
     </message>
@@ -6159,6 +6155,22 @@
     <message>
         <source>The takes &quot;%1&quot; and &quot;%2&quot; have no time in common.</source>
         <translation>Die Takes „%1“ und „%2“ haben keine gemeinsame Zeit.</translation>
+    </message>
+    <message>
+        <source>%1 has no room for passes: let the name end in .exr or .png.</source>
+        <translation>%1 hat keinen Platz für Ebenen: Lassen Sie den Namen auf .exr oder .png enden.</translation>
+    </message>
+    <message>
+        <source>%1: only OpenEXR has room for the pass &quot;%2&quot;. Let the name end in .exr, or leave that pass away.</source>
+        <translation>%1: Nur OpenEXR hat Platz für die Ebene „%2“. Lassen Sie den Namen auf .exr enden, oder lassen Sie diese Ebene weg.</translation>
+    </message>
+    <message>
+        <source>%1: a picture has at most %2 pixels a side, not %3. Choose a smaller size.</source>
+        <translation>%1: Ein Bild hat höchstens %2 Pixel je Seite, nicht %3. Wählen Sie eine kleinere Größe.</translation>
+    </message>
+    <message>
+        <source>%1: a %2 file has at most %3 pixels a side, not %4. Let the name end in .png, or choose a smaller size.</source>
+        <translation>%1: Eine %2-Datei hat höchstens %3 Pixel je Seite, nicht %4. Lassen Sie den Namen auf .png enden, oder wählen Sie eine kleinere Größe.</translation>
     </message>
 </context>
 <context>
@@ -8366,8 +8378,8 @@
 <context>
     <name>ShownTake</name>
     <message>
-        <source>The take &quot;%1&quot; is shown, and people move as they did in it. Show the scene as it plays to tell them something (panel Takes).</source>
-        <translation>Der Take „%1“ wird gezeigt, und alle bewegen sich wie in ihm. Zeigen Sie die Szene, wie sie spielt, um ihnen etwas zu sagen (Bedienfeld Takes).</translation>
+        <source>The take &quot;%1&quot; is shown, and people move as they did in it. To tell them something, take it from here (menu Play), or show the scene as it plays (panel Takes).</source>
+        <translation>Der Take „%1“ wird gezeigt, und alle bewegen sich wie in ihm. Um ihnen etwas zu sagen, spielen Sie ab hier weiter (Menü Abspielen), oder zeigen Sie die Szene, wie sie spielt (Bedienfeld Takes).</translation>
     </message>
 </context>
 <context>
@@ -9622,10 +9634,6 @@ Verworfen ist sie fort.</translation>
         </translation>
     </message>
     <message>
-        <source>EXR passes</source>
-        <translation>EXR-Ebenen</translation>
-    </message>
-    <message>
         <source>As the timeline moves it</source>
         <translation>Wie die Zeitleiste sie bewegt</translation>
     </message>
@@ -9641,12 +9649,20 @@ Verworfen ist sie fort.</translation>
         <source>For numbered pictures that are put over others</source>
         <translation>Für nummerierte Bilder, die über andere gelegt werden</translation>
     </message>
+    <message>
+        <source>Passes</source>
+        <translation>Ebenen</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::PassFields</name>
     <message>
-        <source>For compositing: a layer of an OpenEXR file, with the colours</source>
-        <translation>Fürs Compositing: eine Ebene einer OpenEXR-Datei, zusammen mit den Farben</translation>
+        <source>For compositing: a layer of an OpenEXR file, or a PNG of its own beside that of the colours</source>
+        <translation>Für das Compositing: eine Ebene einer OpenEXR-Datei, oder ein eigenes PNG neben dem der Farben</translation>
+    </message>
+    <message>
+        <source>For compositing: layers of an OpenEXR file alone</source>
+        <translation>Für das Compositing: Ebenen, nur in OpenEXR-Dateien</translation>
     </message>
 </context>
 <context>
@@ -9743,8 +9759,8 @@ Verworfen ist sie fort.</translation>
         <translation>Blende</translation>
     </message>
     <message>
-        <source>EXR passes</source>
-        <translation>EXR-Ebenen</translation>
+        <source>Passes</source>
+        <translation>Ebenen</translation>
     </message>
 </context>
 <context>
@@ -9776,6 +9792,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>pixels</source>
         <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>8K</source>
+        <translation>8K</translation>
     </message>
 </context>
 <context>
@@ -10077,6 +10097,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>as in &quot;%1&quot;</source>
         <translation>wie in „%1“</translation>
+    </message>
+    <message>
+        <source>Played on out of &quot;%1&quot; from %2 s; the take stays as it is</source>
+        <translation>Aus „%1“ heraus wird ab %2 s weitergespielt; der Take bleibt, wie er ist</translation>
     </message>
 </context>
 <context>
@@ -12293,6 +12317,10 @@ Verworfen ist sie fort.</translation>
             <numerusform>Die Haltung von %n Figuren behalten</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Take it from take &quot;%1&quot;</source>
+        <translation>Aus Take „%1“ weiterspielen</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::StatesDock</name>
@@ -12677,6 +12705,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Delete</source>
         <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Play on from the moment shown, as a run that can be told what to do; the take stays as it is</source>
+        <translation>Vom gezeigten Augenblick an weiterspielen, als Lauf, dem man etwas sagen kann; der Take bleibt, wie er ist</translation>
     </message>
 </context>
 <context>

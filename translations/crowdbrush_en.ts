@@ -1056,10 +1056,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The run goes on from the moment shown; what came after it is forgotten</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Camera as Now</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1121,6 +1117,10 @@
     </message>
     <message>
         <source>Type the name of an action, a brush, a panel or a setting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The run goes on from the moment shown, and what came after it is forgotten; out of a take another run goes on from there</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6045,10 +6045,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 has no room for passes: let the name end in .exr.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 by %2 pixels are too many for passes, whose numbers take much memory: at most 40 million. Choose a smaller size.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6158,6 +6154,22 @@
     </message>
     <message>
         <source>The takes &quot;%1&quot; and &quot;%2&quot; have no time in common.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no room for passes: let the name end in .exr or .png.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: only OpenEXR has room for the pass &quot;%2&quot;. Let the name end in .exr, or leave that pass away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: a picture has at most %2 pixels a side, not %3. Choose a smaller size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: a %2 file has at most %3 pixels a side, not %4. Let the name end in .png, or choose a smaller size.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8366,7 +8378,7 @@
 <context>
     <name>ShownTake</name>
     <message>
-        <source>The take &quot;%1&quot; is shown, and people move as they did in it. Show the scene as it plays to tell them something (panel Takes).</source>
+        <source>The take &quot;%1&quot; is shown, and people move as they did in it. To tell them something, take it from here (menu Play), or show the scene as it plays (panel Takes).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9617,10 +9629,6 @@ Thrown away, it is gone.</source>
         </translation>
     </message>
     <message>
-        <source>EXR passes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>As the timeline moves it</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9636,11 +9644,19 @@ Thrown away, it is gone.</source>
         <source>For numbered pictures that are put over others</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Passes</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::PassFields</name>
     <message>
-        <source>For compositing: a layer of an OpenEXR file, with the colours</source>
+        <source>For compositing: a layer of an OpenEXR file, or a PNG of its own beside that of the colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For compositing: layers of an OpenEXR file alone</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9738,7 +9754,7 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>EXR passes</source>
+        <source>Passes</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9770,6 +9786,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>8K</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10069,6 +10089,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>as in &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Played on out of &quot;%1&quot; from %2 s; the take stays as it is</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -12286,6 +12310,10 @@ Thrown away, it is gone.</source>
             <numerusform>Keep the pose of %n characters</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Take it from take &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::StatesDock</name>
@@ -12669,6 +12697,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play on from the moment shown, as a run that can be told what to do; the take stays as it is</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

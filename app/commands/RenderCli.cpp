@@ -78,14 +78,17 @@ void addRenderCommand(CLI::App& cli, RenderOptions& options, int& status)
         ->required();
     addView(*command, options);
     command->add_option("--passes", options.passes,
-                        "Layers of an .exr file, with commas: " + passKeys());
+                        "Layers of an .exr file, or each a .png of its own (a.depth.png, whole "
+                        "numbers), with commas: " +
+                            passKeys());
     command->add_option("--frames", options.frames,
                         "Draw frames A-B; in steps A-BxN; several with commas: 5,20-29,40-90x10");
     command->add_flag("--transparent", options.isTransparent,
                       "Nothing where neither people nor stages are: for pictures to be put over "
                       "others");
     command->add_flag("--resume", options.isResumed,
-                      "Draw only those frames whose pictures are not there yet");
+                      "Draw only those frames whose pictures are not there yet, whole and of "
+                      "that size");
     command->add_option("--fps", options.framesPerSecond, "Frames per second")
         ->capture_default_str();
     command->add_flag("--allow-missing", options.allowsMissing,

@@ -7,8 +7,6 @@
 #include <set>
 #include <span>
 
-#include <QtCore/QFileInfo>
-
 #include "app/commands/CameraChoice.h"
 #include "app/commands/InterruptGuard.h"
 #include "app/commands/RenderPlan.h"
@@ -18,6 +16,7 @@
 #include "app/pictures/LookWish.h"
 #include "app/pictures/MovieFile.h"
 #include "app/pictures/NumberedPictures.h"
+#include "app/pictures/PassFile.h"
 #include "app/pictures/PictureMaker.h"
 #include "behavior/session/SceneMotion.h"
 #include "behavior/takes/TakeFile.h"
@@ -198,8 +197,8 @@ model::Result<void> writeFrames(ScenePictures& pictures, const RenderPlan& plan,
     for (; next; next = plan.frames.after(*next)) {
         const int frame = *next;
         const QString path = fileForFrame(QString::fromStdString(pattern), frame);
-        if (plan.isResumed && QFileInfo::exists(path)) {
-            continue; // whole: a picture is written as a whole or not at all
+        if (plan.isResumed && arePassesThere(path, plan.passes, plan.size)) {
+            continue;
         }
         if (needAny(plan.passes, PassNeed::Motion)) {
             pictures.setBefore(plan.secondsBefore(frame), plan.secondsOf(frame));
@@ -213,7 +212,9 @@ model::Result<void> writeFrames(ScenePictures& pictures, const RenderPlan& plan,
                 return written;
             }
         }
-        std::printf("%s\n", qPrintable(path));
+        for (const QString& file : passFiles(path, plan.passes)) {
+            std::printf("%s\n", qPrintable(file));
+        }
         std::fflush(stdout); // who reads along knows that the file is there
     }
     return {};

@@ -8,6 +8,7 @@
 
 #include "app/commands/OptionText.h"
 #include "app/pictures/MovieFormats.h"
+#include "app/pictures/PassFile.h"
 #include "app/pictures/PictureFile.h"
 #include "app/pictures/PictureFormats.h"
 #include "behavior/session/SceneMotion.h"
@@ -76,12 +77,8 @@ model::Result<void> planPasses(const RenderOptions& options, RenderPlan& plan)
         return model::Error{"--passes " + options.passes + ": " + passes.error().message};
     }
     plan.passes = std::move(passes).value();
-    const PictureFormat* format = pictureFormatOf(QString::fromStdString(options.output));
-    if (!plan.passes.empty() && (format == nullptr || !format->hasLayers)) {
-        return model::Error{"--output " + options.output +
-                            " has no room for passes: let it end in .exr, or leave --passes away."};
-    }
-    return {};
+    return plan.passes.empty() ? model::Result<void>()
+                               : roomForPasses(QString::fromStdString(options.output), plan.passes);
 }
 
 model::Result<void> planTransparency(const RenderOptions& options, RenderPlan& plan)

@@ -13,11 +13,15 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfInputPart.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfMultiPartOutputFile.h>
 #include <OpenEXR/ImfOutputPart.h>
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
+
+#include <QtCore/QFile>
 
 #include "model/base/Color.h"
 
@@ -184,6 +188,26 @@ model::Result<QByteArray> encodeExr(const ExrHeader& header, std::span<const Exr
         return exrBytes(header, layers);
     } catch (const std::exception& error) { // the library says so what it cannot do
         return model::Error{std::string(error.what())};
+    }
+}
+
+bool isWholeExr(const QString& path, glm::ivec2 size)
+{
+    try {
+        Imf::MultiPartInputFile file(QFile::encodeName(path).constData());
+        for (int part = 0; part < file.parts(); ++part) {
+            const Imath::Box2i& window = file.header(part).dataWindow();
+            if (window.size() != Imath::V2i(size.x - 1, size.y - 1) || !file.partComplete(part)) {
+                return false;
+            }
+            const char* lines =
+                nullptr; // complete is what has all its lines, also of a file cut off
+            int bytes = 0;
+            Imf::InputPart(file, part).rawPixelData(window.max.y, lines, bytes);
+        }
+        return file.parts() > 0;
+    } catch (const std::exception&) { // it is none
+        return false;
     }
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <QtCore/QByteArray>
+#include <QtCore/QString>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
@@ -49,5 +50,7 @@ struct ExrHeader
 /// several of the same size. The message says only why there are none.
 [[nodiscard]] model::Result<QByteArray> encodeExr(const ExrHeader& header,
                                                   std::span<const ExrLayer> layers);
+/// Whether a file is such a one of that size, with all its lines.
+[[nodiscard]] bool isWholeExr(const QString& path, glm::ivec2 size);
 
 } // namespace crowd::app

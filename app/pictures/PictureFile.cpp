@@ -5,12 +5,25 @@
 #include <string>
 
 #include <QtCore/QByteArray>
+#include <QtCore/QFile>
+#include <QtCore/QFileInfo>
+#include <QtGui/QImageReader>
 
 namespace crowd::app {
 
 namespace {
 
-model::Error notMade(const QString& path, const model::Error& error)
+bool hasEnd(const QString& path, std::string_view end)
+{
+    const auto size = static_cast<qsizetype>(end.size());
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) && file.size() > size && file.seek(file.size() - size) &&
+           file.readAll() == QByteArray(end.data(), size);
+}
+
+} // namespace
+
+model::Error pictureNotMade(const QString& path, const model::Error& error)
 {
     return {QT_TRANSLATE_NOOP(
                 "Messages",
@@ -18,14 +31,12 @@ model::Error notMade(const QString& path, const model::Error& error)
             path.toStdString(), error.said};
 }
 
-model::Error notWritten(const QString& path, const model::Error& error)
+model::Error pictureNotWritten(const QString& path, const model::Error& error)
 {
     return {QT_TRANSLATE_NOOP("Messages", "%1 cannot be written: %2. Check the folder, its rights "
                                           "and the space on the disk."),
             path.toStdString(), error.said};
 }
-
-} // namespace
 
 model::Result<void> roomForPicture(const QString& path, const PictureShape& shape)
 {
@@ -69,7 +80,7 @@ model::Result<std::unique_ptr<PictureFile>> PictureFile::begin(const QString& pa
     std::unique_ptr<PictureFile> picture(new PictureFile(path));
     auto file = model::WholeFile::begin(path);
     if (!file) {
-        return notWritten(path, file.error());
+        return pictureNotWritten(path, file.error());
     }
     picture->m_file.emplace(std::move(file).value());
     picture->m_encoder = pictureFormatOf(path)->encoder(
@@ -88,7 +99,7 @@ model::Result<void> PictureFile::finish()
         return encoded;
     }
     const auto kept = m_file->commit();
-    return kept ? kept : notWritten(m_path, kept.error());
+    return kept ? kept : pictureNotWritten(m_path, kept.error());
 }
 
 model::Result<void> PictureFile::take(std::string_view bytes)
@@ -105,10 +116,11 @@ model::Result<void> PictureFile::said(const model::Result<void>& done) const
     if (done) {
         return done;
     }
-    return m_diskError ? notWritten(m_path, *m_diskError) : notMade(m_path, done.error());
+    return m_diskError ? pictureNotWritten(m_path, *m_diskError)
+                       : pictureNotMade(m_path, done.error());
 }
 
-model::Result<void> writePicture(const QString& path, const std::vector<std::uint8_t>& rgba,
+model::Result<void> writePicture(const QString& path, std::span<const std::uint8_t> rgba,
                                  glm::ivec2 size, bool isTransparent)
 {
     const auto file = PictureFile::begin(path, {size, isTransparent});
@@ -119,31 +131,37 @@ model::Result<void> writePicture(const QString& path, const std::vector<std::uin
     return added ? file.value()->finish() : added;
 }
 
-model::Result<void> roomForPasses(const QString& path)
+bool isPictureThere(const QString& path, glm::ivec2 size)
 {
     const PictureFormat* format = pictureFormatOf(path);
-    if (format != nullptr && format->hasLayers) {
-        return {};
+    if (format == nullptr || !QFileInfo::exists(path)) {
+        return false;
     }
-    return model::Error{
-        QT_TRANSLATE_NOOP("Messages", "%1 has no room for passes: let the name end in .exr."),
-        path.toStdString()};
+    if (format->passes == PassRoom::Layers) {
+        return isWholeExr(path, size);
+    }
+    QImageReader reader(path);
+    if (reader.size() != QSize(size.x, size.y)) {
+        return false;
+    }
+    if (!format->end.empty()) {
+        return hasEnd(path, format->end);
+    }
+    constexpr std::int64_t kMostRead = 1 << 24; // reading a large one takes longer than drawing it
+    return static_cast<std::int64_t>(size.x) * size.y > kMostRead || !reader.read().isNull();
 }
 
 model::Result<void> writeLayers(const QString& path, const ExrHeader& header,
                                 std::span<const ExrLayer> layers)
 {
-    if (auto room = roomForPasses(path); !room) {
-        return room;
-    }
     const auto encoded = encodeExr(header, layers);
     if (!encoded) {
-        return notMade(path, encoded.error());
+        return pictureNotMade(path, encoded.error());
     }
     const QByteArray& bytes = encoded.value();
     const auto written =
         model::writeWholeFile(path, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
-    return written ? written : notWritten(path, written.error());
+    return written ? written : pictureNotWritten(path, written.error());
 }
 
 } // namespace crowd::app

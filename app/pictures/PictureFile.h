@@ -49,13 +49,16 @@ private:
 
 /// All rows at once.
 [[nodiscard]] model::Result<void> writePicture(const QString& path,
-                                               const std::vector<std::uint8_t>& rgba,
-                                               glm::ivec2 size, bool isTransparent = false);
+                                               std::span<const std::uint8_t> rgba, glm::ivec2 size,
+                                               bool isTransparent = false);
 
 /// An error where no file of that ending can be of that shape.
 [[nodiscard]] model::Result<void> roomForPicture(const QString& path, const PictureShape& shape);
-/// An error unless files of that ending hold passes.
-[[nodiscard]] model::Result<void> roomForPasses(const QString& path);
+/// Whether a file is a picture of that size, and whole as far as its end tells.
+[[nodiscard]] bool isPictureThere(const QString& path, glm::ivec2 size);
+/// What is said of a picture that could not be made, or not be written.
+[[nodiscard]] model::Error pictureNotMade(const QString& path, const model::Error& why);
+[[nodiscard]] model::Error pictureNotWritten(const QString& path, const model::Error& why);
 /// Several layers of one, as OpenEXR, which the path says; whole or not at all.
 [[nodiscard]] model::Result<void> writeLayers(const QString& path, const ExrHeader& header,
                                               std::span<const ExrLayer> layers);

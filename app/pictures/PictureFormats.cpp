@@ -117,12 +117,14 @@ constexpr const char* kTiff[] = {"tif", "tiff"};
 constexpr const char* kWebp[] = {"webp"};
 constexpr const char* kExr[] = {"exr"};
 
+constexpr std::string_view kPngEnd = "IEND\xAE\x42\x60\x82"; ///< the last chunk
+
 constexpr PictureFormat kFormats[] = {
-    {"PNG", kPng, true, false, kMostPixelsASide, &makePngEncoder},
-    {"JPEG", kJpeg, false, false, kMostAtOnce, &whole<&jpeg>},
-    {"TIFF", kTiff, true, false, kMostAtOnce, &whole<&tiff>},
-    {"WebP", kWebp, true, false, 16383, &whole<&webp>}, // the format's own limit
-    {"OpenEXR", kExr, true, true, kMostAtOnce, &whole<&linear>}};
+    {"PNG", kPng, true, PassRoom::FilesEach, kPngEnd, kMostPixelsASide, &makePngEncoder},
+    {"JPEG", kJpeg, false, PassRoom::None, "\xFF\xD9", kMostAtOnce, &whole<&jpeg>},
+    {"TIFF", kTiff, true, PassRoom::None, "", kMostAtOnce, &whole<&tiff>},
+    {"WebP", kWebp, true, PassRoom::None, "", 16383, &whole<&webp>}, // the format's own limit
+    {"OpenEXR", kExr, true, PassRoom::Layers, "", kMostAtOnce, &whole<&linear>}};
 
 } // namespace
 

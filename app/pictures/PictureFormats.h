@@ -42,6 +42,13 @@ public:
     [[nodiscard]] virtual model::Result<void> finish() = 0;
 };
 
+/// Where the passes of a picture go, see PicturePass.
+enum class PassRoom : std::uint8_t {
+    None,
+    Layers,   ///< into the one file
+    FilesEach ///< into one file for each
+};
+
 /// A kind of file that pictures are written as. The command line, its help, scripts and their
 /// messages follow from the table.
 struct PictureFormat
@@ -49,8 +56,9 @@ struct PictureFormat
     const char* name;
     std::span<const char* const> endings; ///< without the dot, lower case; the first is the usual
     bool hasTransparency;
-    bool hasLayers;      ///< room for passes, see PicturePass
-    int mostPixelsASide; ///< those that are not written row by row are held in memory twice
+    PassRoom passes;
+    std::string_view end; ///< of whole files; empty: it is not always the same
+    int mostPixelsASide;  ///< those that are not written row by row are held in memory twice
     std::unique_ptr<PictureEncoder> (*encoder)(const PictureShape& shape, ByteSink sink);
 };
 

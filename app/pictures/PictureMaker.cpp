@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/pictures/PictureMaker.h"
 
+#include "app/pictures/PassFile.h"
 #include "app/pictures/PictureFile.h"
 #include "app/pictures/PictureTiles.h"
 #include "render/SceneLook.h"
@@ -136,11 +137,12 @@ model::Result<void> PictureMaker::drawRows(const PictureRequest& request, const 
     const std::vector<TileRow> rows = tilesOf(request.size, request.tileSide);
     const auto width = static_cast<std::size_t>(request.size.x);
     std::vector<std::uint8_t> pixels;
-    Progress progress{keepGoing, rows.size() * rows.front().size()};
+    const std::size_t tiles = rows.size() * rows.front().size();
+    Progress progress{keepGoing, tiles};
     for (const TileRow& row : rows) {
         pixels.resize(width * static_cast<std::size_t>(row.front().size.y) * 4);
         for (const PictureTile& tile : row) {
-            if (tile.drawnSize != request.size) {
+            if (tiles > 1) {
                 input.view = whole.part(tile.drawnCorner, tile.drawnSize);
                 input.pixelSize = tile.drawnSize;
             }
@@ -251,7 +253,7 @@ model::Result<void> PictureMaker::save(const QString& path, const PictureRequest
         auto drawn = drawRows(request, add, keepGoing);
         return drawn ? file.value()->finish() : drawn;
     }
-    auto room = roomForPasses(path);
+    auto room = roomForPasses(path, passes);
     room = room ? roomForLayers(request.size) : room;
     if (!room) {
         return room;
@@ -263,8 +265,8 @@ model::Result<void> PictureMaker::save(const QString& path, const PictureRequest
     if (!made) {
         return made.error();
     }
-    return writeLayers(path, exrHeaderOf(passes, request.camera, request.size, *request.frame),
-                       made.value());
+    const ExrHeader header = exrHeaderOf(passes, request.camera, request.size, *request.frame);
+    return writePasses(path, {passes, made.value(), header, m_pixels, request.isTransparent});
 }
 
 /// The mean of pictures through all of the lens.

@@ -61,8 +61,8 @@ public:
     [[nodiscard]] model::Result<std::vector<ExrLayer>>
     layers(const PictureRequest& request, const PicturePasses& passes,
            const model::KeepGoing& keepGoing = {});
-    /// Draws a picture to a file, whole or not at all: with passes as OpenEXR of as many layers,
-    /// without as its ending says. A large one is never whole in memory.
+    /// Draws a picture to a file, whole or not at all: with passes see writePasses(), without as
+    /// its ending says. A large one is never whole in memory.
     [[nodiscard]] model::Result<void> save(const QString& path, const PictureRequest& request,
                                            const PicturePasses& passes,
                                            const model::KeepGoing& keepGoing = {});

@@ -128,24 +128,25 @@ constexpr PicturePass kPasses[] = {
      "colours times alpha",
      PassNeed::Colours, &colourPass},
     {"depth", QT_TRANSLATE_NOOP("PicturePasses", "Depth"),
-     "metres along the view axis; 1e10 where nothing is", PassNeed::Aovs, &depthPass},
+     "metres along the view axis; 1e10 where nothing is", PassNeed::Aovs, &depthPass,
+     &depthSamples},
     {"normal", QT_TRANSLATE_NOOP("PicturePasses", "Normal"),
      "unit vectors, world, towards the camera's side; 0 where nothing is", PassNeed::Aovs,
-     &normalPass},
+     &normalPass, &normalSamples},
     {"position", QT_TRANSLATE_NOOP("PicturePasses", "Position"),
-     "metres, world, Y up; 0 where nothing is", PassNeed::Aovs, &positionPass},
+     "metres, world, Y up; 0 where nothing is", PassNeed::Aovs, &positionPass, &positionSamples},
     {"motion", QT_TRANSLATE_NOOP("PicturePasses", "Motion"),
      "pixels, right and up, to where the same point was a frame earlier; 0 where somebody was not "
      "there yet",
-     PassNeed::Motion, &motionPass},
+     PassNeed::Motion, &motionPass, &motionSamples},
     {"id", QT_TRANSLATE_NOOP("PicturePasses", "Individual"),
-     "the individual's id; 0 where nobody is", PassNeed::Aovs, &individualPass},
+     "the individual's id; 0 where nobody is", PassNeed::Aovs, &individualPass, &numberSamples},
     {"template", QT_TRANSLATE_NOOP("PicturePasses", "Template"),
-     "the individual's template; 0 where nobody is", PassNeed::Aovs, &templatePass},
+     "the individual's template; 0 where nobody is", PassNeed::Aovs, &templatePass, &numberSamples},
     {"cryptomatte", QT_TRANSLATE_NOOP("PicturePasses", "Cryptomatte"),
      "mattes of everybody and of every template with smooth edges, by the Cryptomatte "
      "specification; 24 components; sharp where the colours have depth of field",
-     PassNeed::Coverage, &cryptomattePass, &addCryptomatteNotes}};
+     PassNeed::Coverage, &cryptomattePass, nullptr, &addCryptomatteNotes}};
 
 std::string templatesOf(const model::CrowdFrame& frame)
 {

@@ -9,6 +9,7 @@
 
 #include "app/pictures/Cryptomatte.h"
 #include "app/pictures/ExrFile.h"
+#include "app/pictures/PassSamples.h"
 #include "model/base/Result.h"
 #include "model/scene/CrowdFrame.h"
 #include "model/view/View.h"
@@ -44,6 +45,8 @@ struct PicturePass
     const char* doc; ///< what its numbers are
     PassNeed need;
     ExrLayer (*layer)(const PassSource& source);
+    /// Of a PNG; null: as numbers of an OpenEXR file alone, or as the picture itself.
+    PassSamples (*samples)(const ExrLayer& layer) = nullptr;
     /// Adds what the header of its file says; null: nothing.
     void (*addNotes)(const model::CrowdFrame& frame, ExrHeader& header) = nullptr;
 };

@@ -7,8 +7,7 @@
 
 namespace crowd::app {
 
-/// Row by row, so that pictures of any size take no memory; by the PNG library, since Qt's encoder
-/// wants them whole.
+/// Of pictures, whatever their size.
 [[nodiscard]] std::unique_ptr<PictureEncoder> makePngEncoder(const PictureShape& shape,
                                                              ByteSink sink);
 

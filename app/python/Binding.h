@@ -171,6 +171,10 @@ struct PictureKey
                                       const CameraKey& camera, const PictureKey& look,
                                       LongCall& call);
 /// crowdbrush.Picture of the scene.
+/// Arrays by the names of passes, which go to a file as well where there is a path.
+[[nodiscard]] py::dict passesOf(ScriptScene& scene, ScriptPicture request, const CameraKey& camera,
+                                const PictureKey& look, const std::optional<FilePath>& path,
+                                LongCall& call);
 [[nodiscard]] py::object pictureOf(ScriptScene& scene, ScriptPicture request,
                                    const CameraKey& camera, const PictureKey& look, LongCall& call);
 

@@ -7,6 +7,7 @@
 #include "app/pictures/MovieFile.h"
 #include "app/pictures/MovieFormats.h"
 #include "app/pictures/NumberedPictures.h"
+#include "app/pictures/PassFile.h"
 #include "app/pictures/PictureFile.h"
 #include "app/python/Binding.h"
 #include "app/python/LongCall.h"
@@ -26,11 +27,11 @@ constexpr double kMostRate = 1000.0;
 class FrameFiles
 {
 public:
-    FrameFiles(QString path, glm::ivec2 size, double framesPerSecond, bool hasPasses)
-        : m_path(std::move(path)), m_size(size), m_hasPasses(hasPasses)
+    FrameFiles(QString path, glm::ivec2 size, double framesPerSecond, const PicturePasses& passes)
+        : m_path(std::move(path)), m_size(size), m_passes(passes)
     {
-        if (hasPasses) {
-            valueOrRaise(roomForPasses(m_path));
+        if (!m_passes.empty()) {
+            valueOrRaise(roomForPasses(m_path, m_passes));
         } else if (movieFormatOf(m_path) != nullptr) {
             m_movie = valueOrRaise(MovieFile::create(m_path, size, framesPerSecond));
         }
@@ -43,9 +44,12 @@ public:
             return;
         }
         const QString file = fileForFrame(numberedPattern(m_path), frame);
-        valueOrRaise(m_hasPasses ? writeLayers(file, drawn.header, drawn.layers)
-                                 : writePicture(file, drawn.pixels, m_size, isTransparent));
-        m_written.append(file.toStdString());
+        valueOrRaise(m_passes.empty() ? writePicture(file, drawn.pixels, m_size, isTransparent)
+                                      : writePasses(file, {m_passes, drawn.layers, drawn.header,
+                                                           drawn.pixels, isTransparent}));
+        for (const QString& written : passFiles(file, m_passes)) {
+            m_written.append(written.toStdString());
+        }
     }
     [[nodiscard]] py::list finish()
     {
@@ -59,7 +63,7 @@ public:
 private:
     QString m_path;
     glm::ivec2 m_size;
-    bool m_hasPasses;
+    const PicturePasses& m_passes;
     std::unique_ptr<MovieFile> m_movie;
     py::list m_written;
 };
@@ -94,7 +98,7 @@ py::list makeFrames(ScriptScene& scene, const QString& path, const std::vector<i
                     const MovieOptions& options, const CameraKey& camera, const PictureKey& look,
                     LongCall& call)
 {
-    FrameFiles files(path, options.size, options.framesPerSecond, !options.passes.empty());
+    FrameFiles files(path, options.size, options.framesPerSecond, options.passes);
     const auto count = static_cast<double>(frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i) {
         call.within(static_cast<double>(i) / count, 1.0 / count);

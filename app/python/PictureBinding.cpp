@@ -7,6 +7,7 @@
 #include <pybind11/eval.h>
 #include <pybind11/operators.h>
 
+#include "app/pictures/PassFile.h"
 #include "app/pictures/PictureFile.h"
 #include "app/python/Binding.h"
 #include "app/python/LongCall.h"
@@ -134,6 +135,25 @@ PicturePasses passesNamed(const std::vector<std::string>& names)
     return valueOrRaise(passesOf(keys));
 }
 
+py::dict passesOf(ScriptScene& scene, ScriptPicture request, const CameraKey& camera,
+                  const PictureKey& look, const std::optional<FilePath>& path, LongCall& call)
+{
+    const PicturePasses passes = request.passes;
+    const glm::ivec2 size = request.size;
+    const bool isTransparent = request.isTransparent;
+    const ScriptDrawing drawn = drawingOf(scene, std::move(request), camera, look, call);
+    if (path) {
+        valueOrRaise(
+            writePasses(QString::fromStdString(path->string()),
+                        {passes, drawn.layers, drawn.header, drawn.pixels, isTransparent}));
+    }
+    py::dict arrays;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        arrays[py::str(std::string(passes[i]->key))] = arrayOf(drawn.layers[i], size);
+    }
+    return arrays;
+}
+
 namespace {
 
 py::dict renderPasses(const ScenePtr& scene, int width, int height,
@@ -152,18 +172,8 @@ py::dict renderPasses(const ScenePtr& scene, int width, int height,
     request.seconds = time;
     request.passes = passesNamed(names);
     request.isTransparent = isTransparent;
-    const PicturePasses passes = request.passes;
-    const ScriptDrawing drawn =
-        drawingOf(*scene, std::move(request), camera, {{look, by, cameraName(camera)}, {}}, call);
-    if (path) {
-        valueOrRaise(
-            writeLayers(QString::fromStdString(path->string()), drawn.header, drawn.layers));
-    }
-    py::dict arrays;
-    for (std::size_t i = 0; i < passes.size(); ++i) {
-        arrays[py::str(std::string(passes[i]->key))] = arrayOf(drawn.layers[i], {width, height});
-    }
-    return arrays;
+    return passesOf(*scene, std::move(request), camera, {{look, by, cameraName(camera)}, {}}, path,
+                    call);
 }
 
 py::object picture(const ScenePtr& scene, int width, int height, const CameraKey& camera,
@@ -417,7 +427,8 @@ std::string passesDoc()
         "What the picture shows, in numbers for compositing: by the name of each of "
         "the passes an array, height × width, × the components where there are "
         "several, float32 or uint32, rows from the top. path: an .exr file that they "
-        "are written to as well, a layer each. Of each pixel it is what lies at its "
+        "are written to as well, a layer each, or a .png, from which each has one of its own "
+        "(a.depth.png), as whole numbers. Of each pixel it is what lies at its "
         "centre; glass of stages is seen through, and of people what hides less than half. "
         "There are";
     const char* comma = " ";

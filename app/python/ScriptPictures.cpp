@@ -134,8 +134,10 @@ Result<ScriptDrawing> ScriptPictures::draw(ScriptScene& script, const ScriptPict
     PictureRequest request;
     request.lens = lens.value();
     if (picture.before) { // first: times that rise are quick
-        request.earlier = render::EarlierMoment{
-            frameAt(script, picture.before->seconds, picture.patience), picture.before->camera};
+        const auto frame = picture.frameBefore
+                               ? picture.frameBefore
+                               : frameAt(script, picture.before->seconds, picture.patience);
+        request.earlier = render::EarlierMoment{frame, picture.before->camera};
     }
     request.frame =
         picture.frame ? picture.frame : frameAt(script, picture.seconds, picture.patience);

@@ -44,6 +44,7 @@ struct ScriptPicture
     double frameSeconds = 1.0 / 30.0;    ///< that motion is said over
     bool isTransparent = false;          ///< see PictureRequest
     model::CrowdFramePtr frame;          ///< people; null: as the scene shows them at that time
+    model::CrowdFramePtr frameBefore;    ///< the same of the moment that motion is said against
     struct Before
     {
         double seconds = 0.0;

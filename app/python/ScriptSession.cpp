@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "behavior/session/MotionReader.h"
 #include "behavior/session/SceneMotion.h"
 
 namespace crowd::app {
@@ -96,6 +97,24 @@ CrowdFramePtr ScriptSession::frame() const
 {
     const std::scoped_lock lock(m_mutex);
     return m_session->frame();
+}
+
+CrowdFramePtr ScriptSession::frameBefore() const
+{
+    const std::scoped_lock lock(m_mutex);
+    if (!m_motion || m_session->steps() == 0) {
+        return nullptr;
+    }
+    constexpr double kStepsBefore = 0.5; // the step is the last that is not later
+    const double seconds = m_session->seconds() - kStepsBefore / m_stepsPerSecond;
+    const behavior::SessionPosePtr before = behavior::MotionReader(m_motion).around(seconds).first;
+    if (!before) {
+        return nullptr;
+    }
+    auto frame = std::make_shared<CrowdFrame>(*m_session->frame());
+    frame->seconds = before->seconds;
+    behavior::applyPose(*before, *before, *frame);
+    return frame;
 }
 
 std::vector<std::uint8_t> ScriptSession::present() const

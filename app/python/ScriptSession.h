@@ -39,6 +39,8 @@ public:
     [[nodiscard]] std::uint32_t stepsPerSecond() const { return m_stepsPerSecond; }
     /// Everybody as of the last step.
     [[nodiscard]] model::CrowdFramePtr frame() const;
+    /// As of the step before; null: it is not recorded, or has made none.
+    [[nodiscard]] model::CrowdFramePtr frameBefore() const;
     /// Whether each is still in the scene, by row of the frame.
     [[nodiscard]] std::vector<std::uint8_t> present() const;
     /// See Session::paths.

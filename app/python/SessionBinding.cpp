@@ -139,18 +139,45 @@ py::list takeLog(ScriptSession& session)
     return log;
 }
 
-py::object pictureNow(ScriptSession& session, int width, int height, const CameraKey& camera,
-                      const std::string& look, const std::string& by, std::optional<double> focus,
-                      std::optional<double> fStop)
+/// Everybody after the last step.
+ScriptPicture requestOf(ScriptSession& session, int width, int height, bool isTransparent)
 {
     const CrowdFramePtr frame = frameOf(session);
-    LongCall call({});
     ScriptPicture request;
     request.size = {width, height};
     request.seconds = frame->seconds;
     request.frame = frame;
-    return pictureOf(*session.scene(), std::move(request), camera,
+    request.isTransparent = isTransparent;
+    return request;
+}
+
+py::object pictureNow(ScriptSession& session, int width, int height, const CameraKey& camera,
+                      const std::string& look, const std::string& by, std::optional<double> focus,
+                      std::optional<double> fStop, bool isTransparent)
+{
+    LongCall call({});
+    return pictureOf(*session.scene(), requestOf(session, width, height, isTransparent), camera,
                      {{look, by, cameraName(camera)}, {focus, fStop}}, call);
+}
+
+py::dict passesNow(ScriptSession& session, int width, int height,
+                   const std::vector<std::string>& names, const CameraKey& camera,
+                   const std::string& look, const std::string& by,
+                   const std::optional<FilePath>& path, bool isTransparent)
+{
+    LongCall call({});
+    ScriptPicture request = requestOf(session, width, height, isTransparent);
+    request.passes = passesNamed(names);
+    if (needAny(request.passes, PassNeed::Motion)) {
+        request.frameSeconds = 1.0 / session.stepsPerSecond();
+        request.frameBefore = outsidePython([&] { return session.frameBefore(); });
+        if (!request.frameBefore) {
+            throw ScriptError("Motion is that of the last step: make the session with "
+                              "record=True, and a step.");
+        }
+    }
+    return passesOf(*session.scene(), std::move(request), camera,
+                    {{look, by, cameraName(camera)}, {}}, path, call);
 }
 
 void bindTime(SessionClass& session)
@@ -234,7 +261,13 @@ void bindPeople(SessionClass& session)
         .def("render", &pictureNow, py::arg("width"), py::arg("height"), py::kw_only(),
              py::arg("camera") = CameraKey(), py::arg("look") = "", py::arg("by") = "",
              py::arg("focus") = py::none(), py::arg("f_stop") = py::none(),
-             "As Scene.render, but as everybody is after the last step.");
+             py::arg("transparent") = false,
+             "As Scene.render, but as everybody is after the last step.")
+        .def("render_passes", &passesNow, py::arg("width"), py::arg("height"), py::arg("passes"),
+             py::kw_only(), py::arg("camera") = CameraKey(), py::arg("look") = "",
+             py::arg("by") = "", py::arg("path") = py::none(), py::arg("transparent") = false,
+             "As Scene.render_passes, but as everybody is after the last step; motion is that of "
+             "the last step, of a session with record=True.");
 }
 
 } // namespace

@@ -1386,9 +1386,10 @@ class Scene:
     def render_passes(self, width: int, height: int, passes: Sequence[str], *, camera: Union[None, str, Camera] = ..., time: float = ..., look: str = ..., by: str = ..., path: Optional[FilePath] = ..., transparent: bool = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> Dict[Any, Any]:
         """What the picture shows, in numbers for compositing: by the name of each of the passes
         an array, height × width, × the components where there are several, float32 or uint32,
-        rows from the top. path: an .exr file that they are written to as well, a layer each.
-        Of each pixel it is what lies at its centre; glass of stages is seen through, and of
-        people what hides less than half. There are colour (red, green, blue and alpha of the
+        rows from the top. path: an .exr file that they are written to as well, a layer each,
+        or a .png, from which each has one of its own (a.depth.png), as whole numbers. Of each
+        pixel it is what lies at its centre; glass of stages is seen through, and of people
+        what hides less than half. There are colour (red, green, blue and alpha of the
         finished picture, of 8 bits each, as linear light, colours times alpha); depth (metres
         along the view axis; 1e10 where nothing is); normal (unit vectors, world, towards the
         camera's side; 0 where nothing is); position (metres, world, Y up; 0 where nothing
@@ -3107,8 +3108,11 @@ class Session:
     def keep_pose(self) -> int:
         """Where everybody is now becomes where the scene has them: one undo step. How many
         people stand or sit another way than before."""
-    def render(self, width: int, height: int, *, camera: Union[None, str, Camera] = ..., look: str = ..., by: str = ..., focus: Optional[float] = ..., f_stop: Optional[float] = ...) -> Picture:
+    def render(self, width: int, height: int, *, camera: Union[None, str, Camera] = ..., look: str = ..., by: str = ..., focus: Optional[float] = ..., f_stop: Optional[float] = ..., transparent: bool = ...) -> Picture:
         """As Scene.render, but as everybody is after the last step."""
+    def render_passes(self, width: int, height: int, passes: List[str], *, camera: Union[None, str, Camera] = ..., look: str = ..., by: str = ..., path: Optional[FilePath] = ..., transparent: bool = ...) -> Dict[Any, Any]:
+        """As Scene.render_passes, but as everybody is after the last step; motion is that of the
+        last step, of a session with record=True."""
     def keep_take(self, name: str, *, progress: Optional[Callable[[float], Any]] = ...) -> Take:
         """What the session has done so far becomes a take of its scene: one undo step. It needs
         to record (Session(scene, record=True)). Returns the Take. progress: is called with

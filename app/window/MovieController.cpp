@@ -15,7 +15,7 @@
 #include "app/pictures/MovieFile.h"
 #include "app/pictures/MovieFormats.h"
 #include "app/pictures/NumberedPictures.h"
-#include "app/pictures/PictureFile.h"
+#include "app/pictures/PassFile.h"
 #include "app/pictures/PictureFormats.h"
 #include "app/window/AskForPath.h"
 #include "app/window/MovieDialog.h"
@@ -126,7 +126,7 @@ public:
     [[nodiscard]] model::Result<void> begin()
     {
         if (!m_job.passes.empty()) {
-            return roomForPasses(m_job.path);
+            return roomForPasses(m_job.path, m_job.passes);
         }
         if (!m_job.isMovie()) {
             return {};
@@ -148,7 +148,8 @@ public:
     /// There already, from the last time.
     [[nodiscard]] bool has(int picture) const
     {
-        return m_job.isResumed && !m_movie && QFileInfo::exists(m_job.fileOf(picture));
+        return m_job.isResumed && !m_movie &&
+               arePassesThere(m_job.fileOf(picture), m_job.passes, m_job.picture.request.size);
     }
     [[nodiscard]] model::Result<void> add(int picture, PictureMaker& maker,
                                           const PictureRequest& request,
@@ -238,7 +239,8 @@ std::vector<SaveKind> movieKinds(bool hasPasses, bool isTransparent)
         }
     }
     for (const PictureFormat& format : pictureFormats()) {
-        if ((hasPasses && !format.hasLayers) || (isTransparent && !format.hasTransparency)) {
+        if ((hasPasses && format.passes == PassRoom::None) ||
+            (isTransparent && !format.hasTransparency)) {
             continue;
         }
         SaveKind& kind = kinds.emplace_back();

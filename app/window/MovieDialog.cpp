@@ -71,7 +71,7 @@ MovieDialog::MovieDialog(const Offer& offer, QWidget* parent)
     addRate(*form);
     form->addRow(tr("Camera"), m_cameras);
     form->addRow(tr("Size"), m_size);
-    form->addRow(tr("EXR passes"), m_passes);
+    form->addRow(tr("Passes"), m_passes);
     m_transparent->setObjectName(QStringLiteral("movieTransparent"));
     m_transparent->setToolTip(tr("For numbered pictures that are put over others"));
     m_transparent->setChecked(QSettings().value(kMovieTransparent).toBool());

@@ -31,7 +31,10 @@ PassFields::PassFields(QString settingsKey, QWidget* parent)
         }
         auto* box = new QCheckBox(QCoreApplication::translate("PicturePasses", pass.label), this);
         box->setObjectName(QStringLiteral("picturePass.") + passName(pass));
-        box->setToolTip(tr("For compositing: a layer of an OpenEXR file, with the colours"));
+        box->setToolTip(pass.samples != nullptr
+                            ? tr("For compositing: a layer of an OpenEXR file, or a PNG of its own "
+                                 "beside that of the colours")
+                            : tr("For compositing: layers of an OpenEXR file alone"));
         box->setChecked(last.contains(passName(pass)));
         const int place = static_cast<int>(m_boxes.size());
         grid->addWidget(box, place / kColumns, place % kColumns);

@@ -51,7 +51,7 @@ std::vector<SaveKind> pictureKinds(bool hasPasses)
 {
     std::vector<SaveKind> kinds;
     for (const PictureFormat& format : pictureFormats()) {
-        if (hasPasses && !format.hasLayers) {
+        if (hasPasses && format.passes == PassRoom::None) {
             continue;
         }
         SaveKind& kind = kinds.emplace_back();

@@ -46,7 +46,7 @@ PictureDialog::PictureDialog(glm::ivec2 view, const model::Camera& camera,
     form->addRow(tr("Size"), m_size);
     form->addRow(QString(), m_transparent);
     addLens(*form, camera, selectedDepth);
-    form->addRow(tr("EXR passes"), m_passes);
+    form->addRow(tr("Passes"), m_passes);
     form->addRow(buttons);
     m_transparent->setChecked(QSettings().value(kPictureTransparent).toBool());
 }

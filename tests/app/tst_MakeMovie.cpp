@@ -2,7 +2,9 @@
 #include <cmath>
 #include <functional>
 
+#include <QtCore/QDateTime>
 #include <QtCore/QFile>
+#include <QtCore/QFileInfo>
 #include <QtCore/QTimer>
 #include <QtGui/QAction>
 #include <QtGui/QImage>
@@ -148,7 +150,7 @@ void TestMakeMovie::asTheTimelineMovesTheCamera()
     QVERIFY(around[1] != directed[1]);
 }
 
-/// With passes, and again only those that are missing.
+/// With passes, and again only those that are missing or not whole.
 void TestMakeMovie::asNumberedPictures()
 {
     openScene(walkScene(), QStringLiteral("walk.crowd"));
@@ -171,9 +173,13 @@ void TestMakeMovie::asNumberedPictures()
     }
     QVERIFY(bytesOf(4).isEmpty() && !QFile::exists(path));
     const QByteArray second = bytesOf(1);
+    const QByteArray third = bytesOf(2);
 
     QVERIFY(QFile::remove(pathOf(QStringLiteral("walk_0001.exr"))));
-    QVERIFY(QFile::resize(pathOf(QStringLiteral("walk_0002.exr")), 10));
+    const QString broken = pathOf(QStringLiteral("walk_0002.exr"));
+    QVERIFY(QFile::resize(broken, QFileInfo(broken).size() - 10));
+    const QFileInfo whole(pathOf(QStringLiteral("walk_0003.exr")));
+    const QDateTime drawn = whole.lastModified();
     QTimer answer; // to the question that comes after both dialogs
     connect(&answer, &QTimer::timeout, this, [this] {
         if (auto* missing = m_window->findChild<QPushButton*>(QStringLiteral("drawMissing"))) {
@@ -184,7 +190,8 @@ void TestMakeMovie::asNumberedPictures()
     QVERIFY(make(path, choose));
     QTRY_VERIFY_WITH_TIMEOUT(m_window->isFree(), 6 * kPatienceMs);
     QVERIFY(bytesOf(1) == second);
-    QCOMPARE(bytesOf(2).size(), 10);
+    QVERIFY(bytesOf(2) == third);
+    QCOMPARE(QFileInfo(whole.filePath()).lastModified(), drawn);
 
     const QString movie = pathOf(QStringLiteral("walk.mp4")); // has no room for them
     QVERIFY(make(movie, choose));

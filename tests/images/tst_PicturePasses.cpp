@@ -8,9 +8,13 @@
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include <QtCore/QFile>
+#include <QtCore/QFileInfo>
 #include <QtCore/QTemporaryDir>
+#include <QtGui/QColor>
+#include <QtGui/QImage>
 #include <QtTest/QTest>
 
+#include "app/pictures/PassFile.h"
 #include "app/pictures/PictureFile.h"
 #include "app/pictures/PictureMaker.h"
 #include "app/pictures/PicturePasses.h"
@@ -36,6 +40,8 @@ private Q_SLOTS:
     void manyOfAPixelKeepTheirTemplates();
     void matteNumbersAreThoseOfOthers();
     void twoRunsAreTheSame();
+    void eachCanBeAPng();
+    void whatIsThereAlreadyIsLookedAt();
     void whatCannotBeWrittenIsSaid();
 
 private:
@@ -265,6 +271,60 @@ void TestPicturePasses::twoRunsAreTheSame()
     }
 }
 
+/// For programs that read no OpenEXR: a file for each pass, of 16 bits.
+void TestPicturePasses::eachCanBeAPng()
+{
+    const QString path = m_folder.filePath(QStringLiteral("f_0001.png"));
+    model::KeyframeStore keyframes;
+    auto maker = app::PictureMaker::create(keyframes);
+    QVERIFY(maker.isOk());
+    app::PictureRequest request = tallIds();
+    request.earlier = render::EarlierMoment{request.frame, request.camera};
+    const auto passes = app::passesOf("colour,depth,normal,position,motion,id,template").value();
+    const auto saved = maker.value()->save(path, request, passes);
+    QVERIFY2(saved.isOk(), saved ? "" : saved.error().message.c_str());
+    const QStringList files = app::passFiles(path, passes);
+    QCOMPARE(files.size(), 7);
+    QVERIFY(app::arePassesThere(path, passes, request.size));
+    QVERIFY(!app::arePassesThere(path, passes, {kSide, kSide - 1}));
+    const auto pixelOf = [&](const char* pass, QPoint at) {
+        const QImage image(
+            m_folder.filePath(QStringLiteral("f_0001.%1.png").arg(QLatin1String(pass))));
+        return image.convertToFormat(QImage::Format_RGBA64).pixelColor(at).rgba64();
+    };
+    const QPoint middle(kSide / 2, kSide / 2);
+    QCOMPARE(QImage(path).size(), QSize(kSide, kSide));
+    QVERIFY(std::abs(pixelOf("depth", middle).red() - 500) <= 1); // centimetres
+    QCOMPARE(int{pixelOf("depth", {0, 0}).red()}, 65535);
+    QVERIFY(pixelOf("normal", middle).blue() > 64000);
+    QVERIFY(std::abs(pixelOf("position", middle).blue() - 32768 - 20) <= 1);
+    QVERIFY(std::abs(pixelOf("motion", middle).red() - 32768) <= 1);
+    QCOMPARE(int{pixelOf("id", middle).red()}, 256); // 16 777 217
+    QCOMPARE(int{pixelOf("id", middle).green()}, 1);
+    QCOMPARE(int{pixelOf("template", middle).green()}, 1);
+    QCOMPARE(int{pixelOf("id", {0, 0}).green()}, 0);
+    // One that is cut off is not there.
+    QVERIFY(QFile::resize(files[1], QFileInfo(files[1]).size() - 3));
+    QVERIFY(!app::arePassesThere(path, passes, request.size));
+}
+
+/// What a stopped run has left is gone on with only where it is whole, and of that size.
+void TestPicturePasses::whatIsThereAlreadyIsLookedAt()
+{
+    const std::vector<std::uint8_t> pixels(32 * 16 * 4, 200);
+    for (const char* name : {"a.png", "a.jpg", "a.tif", "a.webp", "a.exr"}) {
+        const QString path = m_folder.filePath(QLatin1String(name));
+        QVERIFY2(!app::isPictureThere(path, {32, 16}), name);
+        QVERIFY(app::writePicture(path, pixels, {32, 16}).isOk());
+        QVERIFY2(app::isPictureThere(path, {32, 16}), name);
+        QVERIFY2(!app::isPictureThere(path, {16, 32}), name);
+        QVERIFY(QFile::resize(path, QFileInfo(path).size() / 2));
+        QVERIFY2(!app::isPictureThere(path, {32, 16}), name);
+        QVERIFY(QFile::resize(path, 0));
+        QVERIFY2(!app::isPictureThere(path, {32, 16}), name);
+    }
+}
+
 void TestPicturePasses::whatCannotBeWrittenIsSaid()
 {
     const std::vector<std::uint8_t> pixels(4, 255);
@@ -272,7 +332,11 @@ void TestPicturePasses::whatCannotBeWrittenIsSaid()
         app::writePicture(m_folder.filePath(QStringLiteral("no/a.exr")), pixels, {1, 1});
     QVERIFY(!lost.isOk());
     QVERIFY(lost.error().message.find("a.exr cannot be written") != std::string::npos);
-    QVERIFY(!app::writeLayers(m_folder.filePath(QStringLiteral("a.png")), {}, {}).isOk());
+    const auto none = app::roomForPasses(QStringLiteral("a.jpg"), app::passesOf("depth").value());
+    QVERIFY(!none && none.error().message.find("no room for passes") != std::string::npos);
+    const auto mattes =
+        app::roomForPasses(QStringLiteral("a.png"), app::passesOf("depth,cryptomatte").value());
+    QVERIFY(!mattes && mattes.error().message.find("\"cryptomatte\"") != std::string::npos);
     model::KeyframeStore keyframes;
     auto maker = app::PictureMaker::create(keyframes);
     QVERIFY(maker.isOk());

@@ -47,6 +47,33 @@ class Passes(unittest.TestCase):
         moving = self.scene.render_passes(64, 36, ["motion"], time=3.0)["motion"]
         self.assertGreater(np.abs(moving[:, :, 0]).mean(), 0.2)
 
+    def test_of_a_session(self):
+        scene = crowdbrush.Scene()
+        man = scene.add_template("builtin:templates/man.glb")
+        scene.set_environment({"places": [{"id": 1, "name": "far", "position": [0, 0, 20], "radius": 2}],
+                               "paths": [{"id": 1, "name": "way", "kind": "simple", "places": [1]}]})
+        scene.create(template=[man.id], position=[(0, 0, 0)], path=[1], walkSpeed=[1.4])
+        camera = crowdbrush.Camera((6, 1, 2), (0, 1, 2))
+        session = crowdbrush.Session(scene, record=True)
+        with self.assertRaises(crowdbrush.Error) as said:
+            session.render_passes(64, 36, ["motion"], camera=camera)
+        self.assertIn("record=True", str(said.exception))
+        session.step(60)
+        passes = session.render_passes(64, 36, ["id", "motion"], camera=camera)
+        person = passes["id"] == scene.ids[0]
+        self.assertGreater(person.sum(), 20)
+        # He walks to the left in the picture, so he was at the right of it a step before.
+        self.assertGreater(np.median(passes["motion"][person][:, 0]), 0.1)
+        clear = session.render(64, 36, camera=camera, transparent=True)
+        self.assertEqual((int(clear[0, 0, 3]), int(clear[person][:, 3].max())), (0, 255))
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "a.png")
+            session.render_passes(32, 18, ["colour", "depth", "id"], camera=camera, path=path)
+            self.assertEqual(sorted(os.listdir(folder)), ["a.depth.png", "a.id.png", "a.png"])
+            with self.assertRaises(crowdbrush.Error) as said:
+                session.render_passes(32, 18, ["cryptomatte"], camera=camera, path=path)
+            self.assertIn("OpenEXR", str(said.exception))
+
     def test_are_written(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "a.exr")
