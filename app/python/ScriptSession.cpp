@@ -23,8 +23,9 @@ bool standsOnTheSame(const behavior::SurfacePlan& a, const behavior::SurfacePlan
 
 } // namespace
 
-ScriptSession::ScriptSession(std::shared_ptr<ScriptScene> scene, bool isRecorded)
-    : m_scene(std::move(scene)),
+ScriptSession::ScriptSession(std::shared_ptr<ScriptScene> scene, bool isRecorded,
+                             std::optional<behavior::RunBeginning> beginning)
+    : m_scene(std::move(scene)), m_beginning(std::move(beginning)),
       m_motion(isRecorded ? std::make_shared<behavior::MotionCache>() : nullptr)
 {
 }
@@ -37,6 +38,28 @@ bool ScriptSession::isUpToDate(std::uint64_t revision) const
     return m_isComplete && revision <= m_revision;
 }
 
+void ScriptSession::begin(const Scene& scene)
+{
+    m_session = std::make_unique<behavior::Session>(scene);
+    m_stepsPerSecond = scene.stepsPerSecond;
+    if (m_motion && !m_beginning) {
+        m_motion->add(m_session->pose());
+    }
+}
+
+/// Of a take, whose steps until then are kept with those that follow.
+void ScriptSession::beginFrom(const behavior::RunBeginning& beginning)
+{
+    m_session->beginFrom(*beginning.before, *beginning.now);
+    if (m_motion) {
+        beginning.earlier([this](const behavior::SessionPosePtr& pose) {
+            m_motion->add(pose);
+            return true;
+        });
+        m_motion->add(m_session->pose());
+    }
+}
+
 void ScriptSession::follow(const ScriptScene::Snapshot& now, const std::atomic<bool>& isCancelled)
 {
     const Scene& scene = *now.scene;
@@ -46,11 +69,7 @@ void ScriptSession::follow(const ScriptScene::Snapshot& now, const std::atomic<b
     }
     m_isComplete = false;
     if (!m_session) {
-        m_session = std::make_unique<behavior::Session>(scene);
-        m_stepsPerSecond = scene.stepsPerSecond;
-        if (m_motion) {
-            m_motion->add(m_session->pose());
-        }
+        begin(scene);
     } else if (now.change && now.changeRevision >= m_revision) {
         m_session->adopt(scene, *now.change);
     } else {
@@ -67,6 +86,10 @@ void ScriptSession::follow(const ScriptScene::Snapshot& now, const std::atomic<b
             m_session->setSurface(std::move(surface));
             m_plan = std::move(plan);
         }
+    }
+    if (m_beginning) {
+        beginFrom(*m_beginning);
+        m_beginning.reset();
     }
     m_revision = now.revision;
     m_isComplete = true;

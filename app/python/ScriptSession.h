@@ -6,11 +6,13 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/python/ScriptScene.h"
 #include "behavior/session/MotionCache.h"
+#include "behavior/session/RunBeginning.h"
 #include "behavior/session/Session.h"
 #include "behavior/surface/SurfacePlan.h"
 
@@ -23,8 +25,10 @@ namespace crowd::app {
 class ScriptSession
 {
 public:
-    /// Empty until it followed once. Recorded: its steps are kept.
-    explicit ScriptSession(std::shared_ptr<ScriptScene> scene, bool isRecorded = false);
+    /// Empty until it followed once. Recorded: its steps are kept. `beginning`: a moment of a take;
+    /// nothing: as the scene has people.
+    explicit ScriptSession(std::shared_ptr<ScriptScene> scene, bool isRecorded = false,
+                           std::optional<behavior::RunBeginning> beginning = std::nullopt);
     ~ScriptSession();
 
     [[nodiscard]] const std::shared_ptr<ScriptScene>& scene() const { return m_scene; }
@@ -35,7 +39,7 @@ public:
     void follow(const ScriptScene::Snapshot& now, const std::atomic<bool>& isCancelled);
     void step();
     [[nodiscard]] std::uint64_t steps() const;
-    [[nodiscard]] double seconds() const; ///< that it has run
+    [[nodiscard]] double seconds() const; ///< that it has run, after those of its beginning
     [[nodiscard]] std::uint32_t stepsPerSecond() const { return m_stepsPerSecond; }
     /// Everybody as of the last step.
     [[nodiscard]] model::CrowdFramePtr frame() const;
@@ -69,7 +73,11 @@ public:
     void adoptKept(const ScriptScene::Snapshot& kept);
 
 private:
+    void begin(const model::Scene& scene);
+    void beginFrom(const behavior::RunBeginning& beginning);
+
     std::shared_ptr<ScriptScene> m_scene;
+    std::optional<behavior::RunBeginning> m_beginning; ///< until it has begun
     mutable std::mutex m_mutex;
     std::uint64_t m_revision = 0; ///< of the scene as it is known
     bool m_isComplete = false;    ///< following was not cancelled

@@ -10,6 +10,7 @@
 
 #include "app/python/ColumnRules.h"
 #include "behavior/session/MotionReader.h"
+#include "behavior/takes/TakeBeginning.h"
 #include "behavior/takes/TakeFile.h"
 #include "model/base/ShownText.h"
 #include "model/project/HandEditJson.h"
@@ -135,6 +136,17 @@ Result<void> setHandEdits(ScriptScene& script, const std::string& name, const st
         found->areEditsOn = areOn;
         return {};
     });
+}
+
+Result<behavior::RunBeginning> beginningInTake(const ScriptScene& script, const std::string& name,
+                                               double seconds)
+{
+    const auto scene = script.scene();
+    const auto found = std::ranges::find(scene->takes, name, &Take::name);
+    if (found == scene->takes.end()) {
+        return noTake(scene->takes, name);
+    }
+    return behavior::beginningIn(*found, *scene, seconds);
 }
 
 Result<Take> keepTake(ScriptSession& session, const std::string& name, const KeepGoing& goesOn)

@@ -22,6 +22,9 @@ namespace crowd::app {
 /// What is done to people of it by hand: a list as JSON (see readHandEdits). `areOn`: all of it.
 [[nodiscard]] model::Result<void> setHandEdits(ScriptScene& script, const std::string& name,
                                                const std::string& edits, bool areOn);
+/// A moment of a take, from which a session of its scene goes on.
+[[nodiscard]] model::Result<behavior::RunBeginning>
+beginningInTake(const ScriptScene& script, const std::string& name, double seconds);
 /// What a session has recorded becomes a take of its scene. The name is no other's.
 [[nodiscard]] model::Result<model::Take> keepTake(ScriptSession& session, const std::string& name,
                                                   const model::KeepGoing& goesOn);

@@ -10,6 +10,7 @@
 #include "app/python/ScriptPeople.h"
 #include "app/python/ScriptSession.h"
 #include "app/python/ScriptStates.h"
+#include "app/python/ScriptTakes.h"
 
 namespace crowd::app {
 
@@ -30,9 +31,19 @@ ScriptSession& upToDate(ScriptSession& session)
     return session;
 }
 
-std::shared_ptr<ScriptSession> makeSession(const ScenePtr& scene, bool isRecorded)
+std::shared_ptr<ScriptSession> makeSession(const ScenePtr& scene, bool isRecorded,
+                                           const std::optional<std::string>& take, double time)
 {
-    auto session = std::make_shared<ScriptSession>(scene, isRecorded);
+    if (!std::isfinite(time)) {
+        throw ScriptError("time must be a number of seconds.");
+    }
+    std::optional<behavior::RunBeginning> beginning;
+    if (take) {
+        beginning = valueOrRaise(beginningInTake(*scene, *take, time));
+    } else if (time != 0.0) {
+        throw ScriptError("time is a moment of a take: say of which, as in take=\"Rehearsal\".");
+    }
+    auto session = std::make_shared<ScriptSession>(scene, isRecorded, std::move(beginning));
     upToDate(*session);
     return session;
 }
@@ -184,15 +195,19 @@ void bindTime(SessionClass& session)
 {
     session
         .def(py::init(&makeSession), py::arg("scene"), py::kw_only(), py::arg("record") = false,
-             "Begins where the scene is now. Where there are stages and somebody walks, what can "
-             "be walked on is found first, which takes seconds. record: its steps are kept, for "
-             "keep_take.")
+             py::arg("take") = py::none(), py::arg("time") = 0.0,
+             "Begins where the scene is now, or with people as they are in a kept take of that "
+             "name at that time: with the rules and paths of now, which begin anew. Where there "
+             "are stages and somebody walks, what can be walked on is found first, which takes "
+             "seconds. record: its steps are kept, for keep_take, after those of the take until "
+             "then.")
         .def_property_readonly(
             "scene", [](const ScriptSession& s) { return s.scene(); }, "That it runs.")
         .def("step", &makeSteps, py::arg("count") = 1,
              "So many steps on, each as long as the scene says (1/30 s where it says nothing).")
         .def("run", &runFor, py::arg("seconds"), "So long on, in whole steps.")
-        .def_property_readonly("seconds", asked(&ScriptSession::seconds), "That it has run.")
+        .def_property_readonly("seconds", asked(&ScriptSession::seconds),
+                               "That it has run, after the time of the take that it began in.")
         .def_property_readonly("steps", asked(&ScriptSession::steps), "That it has made.");
 }
 

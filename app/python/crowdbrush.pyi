@@ -3058,10 +3058,11 @@ class Session:
     """A run of the simulation: people walk, rules fire. Never changes the scene by itself; edits
     of the scene reach it at its next step. The same scene, edits, events and steps give the
     same crowd."""
-    def __init__(self, scene: Scene, *, record: bool = ...) -> None:
-        """Begins where the scene is now. Where there are stages and somebody walks, what can be
-        walked on is found first, which takes seconds. record: its steps are kept, for
-        keep_take."""
+    def __init__(self, scene: Scene, *, record: bool = ..., take: Optional[str] = ..., time: float = ...) -> None:
+        """Begins where the scene is now, or with people as they are in a kept take of that name
+        at that time: with the rules and paths of now, which begin anew. Where there are
+        stages and somebody walks, what can be walked on is found first, which takes seconds.
+        record: its steps are kept, for keep_take, after those of the take until then."""
     @property
     def scene(self) -> Scene:
         """That it runs."""
@@ -3071,7 +3072,7 @@ class Session:
         """So long on, in whole steps."""
     @property
     def seconds(self) -> float:
-        """That it has run."""
+        """That it has run, after the time of the take that it began in."""
     @property
     def steps(self) -> int:
         """That it has made."""

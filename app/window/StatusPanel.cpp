@@ -66,6 +66,12 @@ StatusPanel::StatusPanel(widgets::EditorState& state, QWidget* parent)
             tr("What came after %1 s is played anew").arg(QLocale().toString(seconds, 'f', 1)),
             kRemarkMs);
     });
+    connect(&state.session(), &widgets::SessionControl::takenOutOf, this,
+            [this](const QString& take, double seconds) {
+                showMessage(tr("Played on out of \"%1\" from %2 s; the take stays as it is")
+                                .arg(take, QLocale().toString(seconds, 'f', 1)),
+                            kRemarkMs);
+            });
     connect(&state.session(), &widgets::SessionControl::takeRefused, this, [this] {
         showMessage(tr("Too much was edited since it was started: this happens at the latest "
                        "moment. Stop and play to go back to any moment again."),

@@ -34,6 +34,7 @@ TimeSlider::TimeSlider(widgets::EditorState& state, QWidget* parent)
     connect(&state.transport(), &widgets::Transport::timeChanged, this, &TimeSlider::refresh);
     connect(&state.session(), &widgets::SessionControl::stateChanged, this, &TimeSlider::refresh);
     connect(&state.session(), &widgets::SessionControl::takenFrom, this, &TimeSlider::refresh);
+    connect(&state.session(), &widgets::SessionControl::stepped, this, &TimeSlider::refresh);
     refresh();
 }
 

@@ -308,15 +308,13 @@ const WindowAction kPlayActions[] = {
      [](MainWindow& w, bool) { w.state().session().catchUp(); }},
     {{"take-from-here", QT_TRANSLATE_NOOP("Actions", "Take It from &Here"), "take-from-here",
       "Ctrl+Alt+H",
-      QT_TRANSLATE_NOOP("Actions",
-                        "The run goes on from the moment shown; what came after it is forgotten")},
+      QT_TRANSLATE_NOOP(
+          "Actions",
+          "The run goes on from the moment shown, and what came after it is forgotten; out of a "
+          "take another run goes on from there")},
      [](MainWindow& w, bool) { w.state().session().takeFromHere(); },
      {.inputs = ActionInput::Session | ActionInput::Playback,
-      .isEnabled =
-          [](MainWindow& w) {
-              const auto& session = w.state().session();
-              return session.isRunning() && w.state().transport().seconds() < session.liveSeconds();
-          }}},
+      .isEnabled = [](MainWindow& w) { return w.state().session().canTakeFromHere(); }}},
     {{"stop", QT_TRANSLATE_NOOP("Actions", "S&top"), "stop", "Ctrl+Home",
       QT_TRANSLATE_NOOP("Actions", "Back to the start, everybody where the scene has them")},
      [](MainWindow& w, bool) { w.state().session().stop(); }},

@@ -46,6 +46,32 @@ void ClipAnimation::endClip(std::uint32_t agent)
     m_agents.markDirty(agent);
 }
 
+void ClipAnimation::resume(std::uint32_t agent, const ClipPlace& shown, bool isClock,
+                           bool isEndless)
+{
+    State& state = m_states[agent];
+    MotionState& m = m_agents.motion;
+    const GaitTable* gaits = m_templates.gaits(m_agents.table[agent]);
+    const bool isGait = !isClock && gaits != nullptr && gaits->isMover(shown.clip);
+    state.gait = isGait ? static_cast<std::uint32_t>(gaits->gaitOf(shown.clip)) : 0;
+    state.lastGait = state.gait;
+    if (isGait) {
+        m.gaitPlace[agent] = static_cast<float>(shown.place);
+    } else if (!isClock) {
+        playOnce(agent, shown.clip, !isEndless);
+        state.isLooped = isEndless;
+        state.place = std::clamp(shown.place, 0.0, 1.0);
+    }
+    m.clip[agent] = shown.clip;
+    m.rate[agent] = shown.rate;
+    m.clipSeconds[agent] = shown.clipSeconds;
+    m.place[agent] = static_cast<float>(shown.place);
+    m.flags[agent] =
+        static_cast<std::uint8_t>((shown.isLooped ? kPoseLooped : 0) | (isClock ? kPoseClock : 0));
+    state.hasShown = true;
+    m_agents.activate(agent);
+}
+
 void ClipAnimation::cut(std::uint32_t agent)
 {
     m_states[agent].hasShown = false;

@@ -35,6 +35,10 @@ public:
     /// The same once, by index (-1: none); one that `endsByItself` needs no endClip().
     void playOnce(std::uint32_t agent, int clip, bool endsByItself);
     void endClip(std::uint32_t agent);
+    /// As an earlier run has shown it at this moment: a clip that it was told goes on to its end,
+    /// or until it is told something else, a gait goes on, and what comes next is faded to.
+    /// `isClock`: see Shown.
+    void resume(std::uint32_t agent, const ClipPlace& shown, bool isClock, bool isEndless);
     [[nodiscard]] bool isPlaying(std::uint32_t agent) const { return m_states[agent].clip >= 0; }
     /// Gait to move with at any speed; 0: the one that fits.
     void setStyle(std::uint32_t agent, std::uint32_t gait) { m_states[agent].style = gait; }

@@ -48,6 +48,20 @@ void IdleClips::setPlace(std::uint32_t agent, double wanted)
     m_overrides.set(idleKeys::phase, m_people.ids()[agent], static_cast<float>(*state.phase));
 }
 
+void IdleClips::setPhase(std::uint32_t agent, float phase)
+{
+    m_agents.markDirty(agent);
+    m_states[agent].phase = static_cast<double>(phase);
+    m_overrides.set(idleKeys::phase, m_people.ids()[agent], phase);
+}
+
+void IdleClips::resumeClip(std::uint32_t agent, std::uint16_t clip)
+{
+    m_agents.markDirty(agent);
+    m_states[agent].clip = clip;
+    m_overrides.set(idleKeys::clip, m_people.ids()[agent], clip);
+}
+
 void IdleClips::setRate(std::uint32_t agent, float rate)
 {
     const double now = place(agent);

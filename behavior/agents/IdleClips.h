@@ -40,6 +40,10 @@ public:
     void setRate(std::uint32_t agent, float rate);
     /// Is at that place now, 0..1.
     void setPlace(std::uint32_t agent, double place);
+    /// As in an earlier run: a clip that a rule has set, which does not begin anew.
+    void resumeClip(std::uint32_t agent, std::uint16_t clip);
+    /// The place in it at time 0, that a rule has set.
+    void setPhase(std::uint32_t agent, float phase);
     /// A clip for another posture (-1: the scene's); one that a rule has set counts no more.
     void setPosture(std::uint32_t agent, int clip);
     /// The scene's clip or the posture's counts again.

@@ -55,6 +55,16 @@ void Seating::setSeat(std::uint32_t agent, model::SeatId seat, bool keepsPhase)
     }
 }
 
+void Seating::resume(std::uint32_t agent, model::SeatId seat)
+{
+    if (seat == m_states[agent].seat) {
+        return;
+    }
+    m_states[agent].seat = seat;
+    m_agents.seatPhase[agent] = seat != model::kNoSeat ? SeatPhase::Seated : SeatPhase::None;
+    m_hasChanged = true;
+}
+
 std::size_t Seating::indexOf(model::SeatId seat) const
 {
     const auto found = std::ranges::lower_bound(m_seats, seat, {}, &model::WorldSeat::id);

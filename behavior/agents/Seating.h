@@ -32,6 +32,8 @@ public:
     void setStages(std::vector<model::StageEntry> stages);
     /// As the scene says; `keepsPhase`: how far it has got with sitting down stays.
     void setSeat(std::uint32_t agent, model::SeatId seat, bool keepsPhase);
+    /// As in an earlier run.
+    void resume(std::uint32_t agent, model::SeatId seat);
 
     [[nodiscard]] bool hasSeats();
     /// Sends an agent to the nearest free seat within so many metres (0: however far). False: there

@@ -43,6 +43,11 @@ public:
     {
         return m_state.numbers.value(agent, id);
     }
+    /// See ArtistNumbers::change.
+    void setNumber(std::uint32_t agent, model::NumberId id, float value)
+    {
+        (void)m_state.numbers.change(agent, id, value, false);
+    }
     /// See ArtistNumbers::changed.
     [[nodiscard]] std::shared_ptr<const std::vector<OwnNumber>> ownNumbers()
     {

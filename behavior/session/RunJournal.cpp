@@ -27,9 +27,11 @@ std::size_t newBytes(const model::Population& before, const model::Population& a
 } // namespace
 
 RunJournal::RunJournal(const model::Scene& scene, double startSeconds,
-                       std::shared_ptr<const WalkSurface> surface)
+                       std::shared_ptr<const WalkSurface> surface,
+                       std::optional<RunBeginning> beginning)
     : m_scene(std::make_shared<const model::Scene>(scene)), m_startSeconds(startSeconds),
-      m_surface(std::move(surface)), m_lastPeople(scene.population)
+      m_surface(std::move(surface)), m_beginning(std::move(beginning)),
+      m_lastPeople(scene.population)
 {
 }
 
@@ -76,6 +78,9 @@ std::unique_ptr<Session> RunJournal::begin() const
     session->setStart(m_startSeconds);
     if (m_surface) {
         session->setSurface(m_surface);
+    }
+    if (m_beginning) {
+        session->beginFrom(*m_beginning->before, *m_beginning->now);
     }
     return session;
 }

@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "behavior/session/RunBeginning.h"
 #include "behavior/session/Session.h"
 
 namespace crowd::behavior {
@@ -19,8 +21,10 @@ class RunJournal
 public:
     using Act = std::function<void(Session& session)>;
 
+    /// `beginning`: of an earlier run; nothing: people begin as the scene has them.
     RunJournal(const model::Scene& scene, double startSeconds,
-               std::shared_ptr<const WalkSurface> surface);
+               std::shared_ptr<const WalkSurface> surface,
+               std::optional<RunBeginning> beginning = std::nullopt);
 
     /// Told before the step after `step` was made; steps come in ascending order.
     void add(std::uint64_t step, Act act);
@@ -51,6 +55,7 @@ private:
     const std::shared_ptr<const model::Scene> m_scene;
     const double m_startSeconds;
     const std::shared_ptr<const WalkSurface> m_surface;
+    const std::optional<RunBeginning> m_beginning;
     std::vector<Entry> m_entries;
     model::Population m_lastPeople; ///< of the scene that was told last
     std::size_t m_bytes = 0;

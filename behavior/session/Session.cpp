@@ -11,6 +11,7 @@
 #include "behavior/session/SceneAdoption.h"
 #include "behavior/session/SceneFeatures.h"
 #include "behavior/session/SceneRecall.h"
+#include "behavior/session/SessionBeginning.h"
 #include "behavior/session/SessionParts.h"
 #include "behavior/session/SessionRules.h"
 
@@ -125,36 +126,14 @@ void Session::setStart(double seconds)
 
 void Session::beginAs(const SessionPose& before, const SessionPose& now)
 {
-    constexpr float kFastestWalk = 12.0F; // m/s: faster was a jump
-    SessionParts& parts = *m_parts;
-    MotionState& motion = parts.agents.motion;
-    const auto seconds = static_cast<float>(now.seconds - before.seconds);
-    for (std::size_t row = 0; row < parts.population.size(); ++row) {
-        const model::IndividualId id = parts.population.ids()[row];
-        const auto at = std::ranges::lower_bound(now.ids, id);
-        const auto from = std::ranges::lower_bound(before.ids, id);
-        if (at == now.ids.end() || *at != id) {
-            continue;
-        }
-        const auto i = static_cast<std::size_t>(at - now.ids.begin());
-        motion.heading[row] = now.headings[i];
-        if ((now.flags[i] & kPoseLooped) != 0 && (now.flags[i] & kPoseClock) == 0) {
-            motion.gaitPlace[row] = now.places[i];
-        }
-        parts.agents.activate(row);
-        if (from == before.ids.end() || *from != id || !(seconds > 0.0F)) {
-            continue;
-        }
-        const auto j = static_cast<std::size_t>(from - before.ids.begin());
-        const glm::vec2 velocity =
-            glm::vec2(now.x[i] - before.x[j], now.z[i] - before.z[j]) / seconds;
-        const float speed = std::sqrt(velocity.x * velocity.x + velocity.y * velocity.y);
-        if (speed < kFastestWalk) {
-            parts.crowd.bodies()[row].velocityX = velocity.x;
-            parts.crowd.bodies()[row].velocityZ = velocity.y;
-            motion.speed[row] = speed;
-        }
-    }
+    beginOnTheMove(*m_parts, before, now);
+}
+
+void Session::beginFrom(const SessionPose& before, const SessionPose& now)
+{
+    setStart(now.seconds);
+    beginAsIn(*m_parts, now);
+    beginOnTheMove(*m_parts, before, now);
 }
 
 void Session::adopt(const model::Scene& scene, bool arePosesKept)

@@ -47,6 +47,9 @@ public:
     /// Before the first step: people are on the move, as they were from one pose of a run to its
     /// next. Who is in neither begins at rest.
     void beginAs(const SessionPose& before, const SessionPose& now);
+    /// The same, and people are where and as they were there, whatever the scene says; rules begin
+    /// anew. The start is set to that moment.
+    void beginFrom(const SessionPose& before, const SessionPose& now);
     /// Called in each step, when people know where they would like to go and have not gone yet.
     using Steering = std::function<void(CrowdSimulation& crowd)>;
     void setSteering(Steering steering) { m_steering = std::move(steering); }

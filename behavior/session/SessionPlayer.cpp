@@ -26,8 +26,19 @@ SessionPlayer::~SessionPlayer()
 void SessionPlayer::start(const model::Scene& scene, double seconds,
                           std::shared_ptr<const WalkSurface> surface)
 {
+    begin(std::make_unique<Run>(scene, seconds, std::move(surface)));
+}
+
+void SessionPlayer::start(const model::Scene& scene, RunBeginning beginning,
+                          std::shared_ptr<const WalkSurface> surface)
+{
+    begin(std::make_unique<Run>(scene, std::move(beginning), std::move(surface)));
+}
+
+void SessionPlayer::begin(std::unique_ptr<Run> next)
+{
     stop();
-    m_run = std::make_unique<Run>(scene, seconds, std::move(surface));
+    m_run = std::move(next);
     Run& run = *m_run;
     run.published = m_published;
     run.thread = std::jthread([&run](std::stop_token token) {

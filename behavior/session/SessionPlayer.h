@@ -15,6 +15,7 @@
 namespace crowd::behavior {
 
 class MotionCache;
+struct RunBeginning;
 
 /// Runs a session on a thread of its own, a little ahead of the picture, so that a slow step never
 /// makes anybody wait. All functions are called by one thread, which shows the picture and never
@@ -38,6 +39,11 @@ public:
     /// `seconds` is what the transport shows as it begins.
     void start(const model::Scene& scene, double seconds = 0.0,
                std::shared_ptr<const WalkSurface> surface = nullptr);
+    /// The same, of people as they were at a moment of an earlier run; what was shown before that
+    /// is copied first, and kept with what comes. Until then nothing later is shown; see
+    /// takenShare().
+    void start(const model::Scene& scene, RunBeginning beginning,
+               std::shared_ptr<const WalkSurface> surface);
     /// The session is gone, as soon as its thread notices; the scene is as it was.
     void stop();
     [[nodiscard]] bool isRunning() const { return m_run != nullptr; }
@@ -89,6 +95,7 @@ public:
 private:
     struct Run;
 
+    void begin(std::unique_ptr<Run> run);
     void give(std::function<void(Run& run)> order);
     bool take(std::uint64_t step, std::uint64_t forgottenFrom);
     [[nodiscard]] std::pair<SessionPosePtr, SessionPosePtr> posesAround(double seconds) const;

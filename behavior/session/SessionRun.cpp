@@ -15,8 +15,22 @@ constexpr std::uint64_t kStepsSaid = 30; ///< of a take: then its share is shown
 
 SessionPlayer::Run::Run(const model::Scene& scene, double seconds,
                         std::shared_ptr<const WalkSurface> ground)
-    : journal(std::make_unique<RunJournal>(scene, seconds, std::move(ground))),
-      startSeconds(seconds), wanted(seconds)
+    : Run(std::make_unique<RunJournal>(scene, seconds, std::move(ground)), seconds)
+{
+}
+
+SessionPlayer::Run::Run(const model::Scene& scene, RunBeginning beginning,
+                        std::shared_ptr<const WalkSurface> ground)
+    : Run(std::make_unique<RunJournal>(scene, beginning.now->seconds, std::move(ground),
+                                       RunBeginning{beginning.before, beginning.now, {}}),
+          beginning.now->seconds)
+{
+    earlier = std::move(beginning.earlier);
+    taking = Taking{startSeconds, 0.0};
+}
+
+SessionPlayer::Run::Run(std::unique_ptr<RunJournal> told, double seconds)
+    : journal(std::move(told)), startSeconds(seconds), wanted(seconds)
 {
     session = journal->begin();
     stepsPerSecond = session->stepsPerSecond();
@@ -30,8 +44,54 @@ bool SessionPlayer::Run::isStepWanted() const
     return session && session->seconds() + kTimeSlack < wanted;
 }
 
+/// A cache that has what was shown before the run began, if anything was.
+std::shared_ptr<MotionCache> SessionPlayer::Run::cacheAfterEarlier()
+{
+    auto kept = std::make_shared<MotionCache>();
+    if (!earlier) {
+        return kept;
+    }
+    std::uint64_t count = 0;
+    std::optional<double> first;
+    earlier([&](const SessionPosePtr& pose) {
+        kept->add(pose);
+        first = first.value_or(pose->seconds);
+        if (++count % kStepsSaid == 0) {
+            const double share =
+                (pose->seconds - *first) / std::max(startSeconds - *first, kTimeSlack);
+            {
+                const std::scoped_lock lock(mutex);
+                taking = taking ? std::optional(Taking{taking->seconds, share}) : std::nullopt;
+            }
+            published();
+        }
+        return !token.stop_requested();
+    });
+    return kept;
+}
+
+/// Before anything is told and made.
+void SessionPlayer::Run::copyEarlier()
+{
+    if (!earlier) {
+        return;
+    }
+    auto kept = cacheAfterEarlier();
+    auto next = std::make_shared<MotionReader>(kept);
+    {
+        const std::scoped_lock lock(mutex);
+        cache = std::move(kept);
+        reader = std::move(next);
+        if (takes == 0) {
+            taking.reset();
+        }
+    }
+    published();
+}
+
 void SessionPlayer::Run::serve()
 {
+    copyEarlier();
     while (!token.stop_requested()) {
         std::vector<Order> taken;
         {
@@ -72,6 +132,7 @@ void SessionPlayer::Run::release()
 {
     session.reset();
     journal.reset();
+    earlier = nullptr;
     surface.reset();
     const std::scoped_lock lock(mutex);
     cache.reset();
@@ -144,7 +205,10 @@ void SessionPlayer::Run::take(const Take& wish)
     session.reset();
     steps = wish.step;
     std::unique_ptr<Session> again = isGivenUp(wish) ? nullptr : journal->begin();
-    auto kept = std::make_shared<MotionCache>();
+    if (earlier) { // they are copied; whoever had them may be gone
+        earlier = stepsBefore(cache, startSeconds - kTimeSlack);
+    }
+    auto kept = cacheAfterEarlier();
     if (again && replay(*again, *kept, wish)) {
         goOnWith(std::move(again), std::move(kept));
         if (surfaceStep && *surfaceStep >= wish.forgottenFrom) {

@@ -45,6 +45,7 @@ struct SessionPlayer::Run
     std::unique_ptr<Session> session;    ///< null: a take was given up for the next one
     std::uint64_t steps = 0;             ///< of the session, also where there is none
     std::unique_ptr<RunJournal> journal; ///< null: it is over
+    EarlierSteps earlier;                ///< of the run before
     std::stop_token token;
     std::shared_ptr<const WalkSurface> surface; ///< that it was told last
     std::optional<std::uint64_t> surfaceStep;   ///< at which that was; nothing: it began with it
@@ -73,6 +74,8 @@ struct SessionPlayer::Run
     std::jthread thread; ///< last: ends first
 
     Run(const model::Scene& scene, double seconds, std::shared_ptr<const WalkSurface> ground);
+    Run(const model::Scene& scene, RunBeginning beginning,
+        std::shared_ptr<const WalkSurface> ground);
     void serve();
     void act(RunJournal::Act act, const model::Scene* scene = nullptr);
     void walkOn(std::shared_ptr<const WalkSurface> ground);
@@ -83,6 +86,9 @@ struct SessionPlayer::Run
                                                                         bool isLast) const;
 
 private:
+    Run(std::unique_ptr<RunJournal> told, double seconds);
+    void copyEarlier();
+    [[nodiscard]] std::shared_ptr<MotionCache> cacheAfterEarlier();
     [[nodiscard]] bool isStepWanted() const;
     [[nodiscard]] bool isGivenUp(const Take& wish) const;
     [[nodiscard]] bool replay(Session& again, MotionCache& kept, const Take& wish);

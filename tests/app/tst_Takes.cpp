@@ -11,6 +11,7 @@
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
+#include <QtWidgets/QSlider>
 #include <QtWidgets/QToolButton>
 
 #include "app/window/DockLayout.h"
@@ -36,6 +37,7 @@ private Q_SLOTS:
     void itPlaysToItsEndAndFromItsBeginning();
     void nobodyIsToldAnythingMeanwhile();
     void anotherIsSeenAsGhosts();
+    void aRunGoesOnOutOfIt();
     void someActAgainAndOthersDoWhatTheyDid();
     void theyArePaintedToDoSo();
     void twoAreComparedFromBeginningToEnd();
@@ -259,6 +261,57 @@ void TestTakes::anotherIsSeenAsGhosts()
     child<QToolButton>("ghostTake")->click();
     QCOMPARE(state().takes().ghost(), model::TakeId{0});
     QVERIFY(!figures->isVisible());
+}
+
+/// By its keys: with what is edited now, after what was seen until then; and again from before
+/// that.
+void TestTakes::aRunGoesOnOutOfIt()
+{
+    play();
+    const float early = xAt(0.3);
+    const float begun = xAt(0.9);
+    transport().setSeconds(session().liveSeconds());
+    keep();
+    showPanel();
+    auto* button = child<QToolButton>("goOnOutOfTake");
+    QVERIFY(!button->isEnabled()); // out of a take alone
+    const model::Take take = takes().front();
+    press(Qt::Key_N);
+    turnPath(); // he would go the other way
+    transport().setSeconds(0.9);
+    QVERIFY(button->isEnabled());
+    press(Qt::Key_H);
+    QVERIFY(session().isRunning());
+    QCOMPARE(session().take(), model::TakeId{0});
+    QVERIFY(std::abs(transport().seconds() - 0.9) < 0.04);  // at a step
+    QTRY_VERIFY(child<QSlider>("timeSlider")->isEnabled()); // there is something before it
+    QTRY_VERIFY_WITH_TIMEOUT(session().takenShare() < 0.0, kPatienceMs);
+    QVERIFY(std::abs(xAt(0.9) - begun) < 0.06F);
+    QCOMPARE(xAt(0.3), early); // what was before can still be seen
+    QCOMPARE(session().firstSeconds(), take.begin);
+    transport().setSeconds(session().liveSeconds());
+    transport().setPlaying(true);
+    QTRY_VERIFY_WITH_TIMEOUT(transport().seconds() > 3.0, kPatienceMs);
+    transport().setPlaying(false);
+    QVERIFY(xAt(3.0) < begun - 0.5F);
+    // From a moment that the take has shown: a run out of a run.
+    transport().setSeconds(0.3);
+    press(Qt::Key_H);
+    QTRY_VERIFY_WITH_TIMEOUT(session().takenShare() < 0.0, kPatienceMs);
+    QVERIFY(std::abs(session().liveSeconds() - 0.3) < 0.04);
+    QVERIFY(std::abs(xAt(0.3) - early) < 0.06F);
+    QCOMPARE(session().firstSeconds(), take.begin);
+    // All of it becomes a take, and undo shows the first one again.
+    keep();
+    QCOMPARE(takes().back().begin, take.begin);
+    document().undoStack().undo();
+    document().undoStack().undo();
+    QCOMPARE(session().take(), take.id);
+    QVERIFY(!session().isRunning());
+    QCOMPARE(xAt(0.3), early);
+    transport().setSeconds(0.6);
+    button->click();
+    QVERIFY(session().isRunning() && session().take() == 0);
 }
 
 void TestTakes::someActAgainAndOthersDoWhatTheyDid()

@@ -11,6 +11,7 @@ crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_PropertyOverrides
     tst_EditedTake
     tst_Retake
+    tst_RunBeginning
     tst_RuleActions
     tst_RuleAims
     tst_RuleLights

@@ -48,6 +48,27 @@ class Takes(unittest.TestCase):
         self.assertTrue(self.scene.undo())
         self.assertEqual(self.scene.takes, [])
 
+    def test_a_session_goes_on_out_of_it(self):
+        first, _ = self.keep()
+        self.scene.set_environment({
+            "places": [{"id": 1, "name": "end", "position": [-40, 0, 0], "radius": 4}],
+            "paths": [{"id": 1, "name": "way", "kind": "simple", "places": [1]}]})
+        session = crowdbrush.Session(self.scene, record=True, take="First", time=0.5)
+        begun = session.column("position")[:, 0].copy()
+        self.assertAlmostEqual(session.seconds, 0.5, 2)
+        self.assertTrue((begun > 0.2).all() and (begun < first.column("position")[:, 0]).all())
+        session.run(2.0)
+        self.assertAlmostEqual(session.seconds, 2.5, 2)
+        self.assertTrue((session.column("position")[:, 0] < begun - 0.5).all())  # there is now behind
+        take = session.keep_take("Second")
+        self.assertEqual(take.begin, 0.0)
+        self.assertAlmostEqual(take.end, 2.5, 2)
+        for wrong, words in (({"take": "Third"}, "First"), ({"time": 1.0}, "take="),
+                             ({"take": "First", "time": float("nan")}, "time")):
+            with self.assertRaises(crowdbrush.Error) as said:
+                crowdbrush.Session(self.scene, **wrong)
+            self.assertIn(words, str(said.exception))
+
     def test_pictures_show_it(self):
         self.keep()
         plain = self.scene.render(64, 36, time=0.91, camera=CAMERA).tobytes()

@@ -91,6 +91,11 @@ QWidget* TakesDock::buttons()
     m_ghost->setCheckable(true);
     connect(m_ghost, &QToolButton::clicked, this,
             [this](bool on) { m_state.takes().setGhost(on ? chosen() : 0); });
+    m_goOn = add("take-from-here",
+                 tr("Play on from the moment shown, as a run that can be told what to do; the take "
+                    "stays as it is"),
+                 "goOnOutOfTake");
+    connect(m_goOn, &QToolButton::clicked, this, [this] { m_state.session().takeFromHere(); });
     m_retake = add("retake",
                    tr("Take the selected characters again, in the play range or else from the "
                       "moment shown on: everybody else does what he did"),
@@ -224,6 +229,7 @@ void TakesDock::refreshButtons()
     m_show->setEnabled(chosen() != m_state.session().take());
     m_ghost->setEnabled(take != nullptr && take->motion);
     m_ghost->setChecked(take != nullptr && m_state.takes().ghost() == take->id);
+    m_goOn->setEnabled(m_state.session().take() != 0);
     m_retake->setEnabled(canRetake(m_state));
     m_remove->setEnabled(take != nullptr);
 }

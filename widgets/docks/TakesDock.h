@@ -51,6 +51,7 @@ private:
     QToolButton* m_keep = nullptr;
     QToolButton* m_show = nullptr;
     QToolButton* m_ghost = nullptr;
+    QToolButton* m_goOn = nullptr;
     QToolButton* m_retake = nullptr;
     QToolButton* m_remove = nullptr;
     bool m_isFilling = false;

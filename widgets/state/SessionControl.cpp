@@ -11,6 +11,7 @@
 
 #include "behavior/session/PoseKeeping.h"
 #include "behavior/session/SessionPlayer.h"
+#include "behavior/takes/TakeBeginning.h"
 #include "behavior/takes/TakeFile.h"
 #include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
@@ -193,16 +194,75 @@ void SessionControl::invalidateTimeline()
     m_player->request(m_liveSeconds);
 }
 
+bool SessionControl::canTakeFromHere() const
+{
+    return m_take || (isRunning() && m_transport.seconds() < m_liveSeconds);
+}
+
 void SessionControl::takeFromHere()
 {
-    if (isRunning() && m_transport.seconds() < m_liveSeconds) {
+    if (m_take) {
+        m_isTakeWanted = !isReady();
+        if (!m_isTakeWanted) {
+            beginInTake();
+        }
+    } else if (canTakeFromHere()) {
         goOnFromHere();
     }
+}
+
+/// A run instead of the take that is shown.
+void SessionControl::beginInTake()
+{
+    const model::Scene& scene = m_document.scene();
+    const model::Take* shown = model::findTake(scene.takes, take());
+    auto beginning = behavior::beginningIn(*shown, scene, m_transport.seconds());
+    if (!beginning) {
+        m_takeProblem = beginning.error().said;
+        Q_EMIT stateChanged();
+        return;
+    }
+    const QString name = QString::fromStdString(shown->name);
+    const bool wasPlaying = m_transport.isPlaying();
+    const auto outcome =
+        m_document.edit(tr("Take it from take \"%1\"").arg(name), [](model::SceneEdit& edit) {
+            model::Takes takes = edit.scene().takes;
+            for (model::Take& each : takes) {
+                each.isShown = false;
+            }
+            edit.set<model::members::Takes>(std::move(takes));
+        });
+    if (outcome != model::EditOutcome::Committed) {
+        return; // somebody else is editing
+    }
+    startFrom(std::move(beginning).value());
+    m_transport.setPlaying(wasPlaying);
+    Q_EMIT takenOutOf(name, m_startSeconds);
+}
+
+/// The run began out of a take, and goes on from a moment before that.
+void SessionControl::beginInEarlier()
+{
+    auto beginning = behavior::beginningIn(m_player->motion(), m_transport.seconds());
+    if (!beginning) {
+        catchUp();
+        Q_EMIT takeRefused();
+        return;
+    }
+    takeFirings();
+    m_recorder.add(m_player->takePerformed());
+    startFrom(std::move(*beginning));
+    Q_EMIT takenFrom(m_startSeconds);
 }
 
 /// From the time that is shown, also from the latest.
 void SessionControl::goOnFromHere()
 {
+    const double shown = m_transport.seconds();
+    if (shown < m_startSeconds && m_player->first() < m_startSeconds) {
+        beginInEarlier();
+        return;
+    }
     if (!m_player->takeFrom(m_transport.seconds())) {
         catchUp();
         Q_EMIT takeRefused();
@@ -417,6 +477,7 @@ void SessionControl::followTakes()
 /// Null: none, so that what can be played begins where the take did.
 void SessionControl::showTake(const model::Take* take)
 {
+    m_isTakeWanted = false;
     const bool wasShown = m_take != nullptr;
     const double began = wasShown ? m_take->first() : 0.0;
     m_take.reset();
@@ -507,6 +568,9 @@ void SessionControl::takeSurface(const model::Result<SurfacePtr>& built)
         m_player->setSurface(m_surface->current);
     }
     Q_EMIT surfaceChanged();
+    if (std::exchange(m_isTakeWanted, false)) {
+        beginInTake();
+    }
 }
 
 std::shared_ptr<const behavior::WalkSurface> SessionControl::surface() const
@@ -531,7 +595,26 @@ std::size_t SessionControl::surfacePolygons() const
     return m_surface->current ? m_surface->current->polygons() : 0;
 }
 
+/// People begin as the scene has them.
 void SessionControl::start()
+{
+    noteStart();
+    m_player->start(*m_handed, m_startSeconds, m_surface->current);
+    followProblems();
+    Q_EMIT stateChanged();
+}
+
+/// They begin as they were at that moment.
+void SessionControl::startFrom(behavior::RunBeginning beginning)
+{
+    m_transport.setSeconds(beginning.now->seconds);
+    noteStart();
+    m_player->start(*m_handed, std::move(beginning), m_surface->current);
+    followProblems();
+    Q_EMIT stateChanged();
+}
+
+void SessionControl::noteStart()
 {
     m_startSeconds = m_transport.seconds();
     m_liveSeconds = m_startSeconds;
@@ -539,11 +622,8 @@ void SessionControl::start()
     m_firings.clear();
     m_timeline = m_document.scene().timeline;
     m_handed = std::make_shared<const model::Scene>(m_document.scene());
-    m_player->start(*m_handed, m_startSeconds, m_surface->current);
     m_changing.reset();
     m_frame.reset();
-    followProblems();
-    Q_EMIT stateChanged();
 }
 
 void SessionControl::drop()

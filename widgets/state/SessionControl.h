@@ -23,6 +23,7 @@
 
 namespace crowd::behavior {
 class MotionCache;
+struct RunBeginning;
 class SessionPlayer;
 class WalkSurface;
 struct SessionPose;
@@ -67,9 +68,11 @@ public:
     /// To the latest time that was shown, from an earlier one.
     void catchUp();
     /// The run goes on from the time that is shown, and what has been played after it is
-    /// forgotten: edits and what is sent to people do that by themselves. Nothing at the latest
-    /// time.
+    /// forgotten: edits and what is sent to people do that by themselves. Out of a take that is
+    /// shown a run begins in its place, as soon as what can be walked on is known; it goes on with
+    /// people as they are in the take, which stays as it is. Nothing at the latest time of a run.
     void takeFromHere();
+    [[nodiscard]] bool canTakeFromHere() const;
     /// The share that is computed of what comes before that time; below 0: it is there.
     [[nodiscard]] double takenShare() const;
     /// The earliest time that can be shown again.
@@ -142,6 +145,8 @@ Q_SIGNALS:
     void takenFrom(double seconds);
     /// Too much was edited since the run began: it goes on at the latest time.
     void takeRefused();
+    /// A run has begun out of a take, at this time.
+    void takenOutOf(const QString& take, double seconds);
 
 private:
     struct Surface;
@@ -152,6 +157,8 @@ private:
     void invalidateTimeline();
     void goToEdit();
     void goOnFromHere();
+    void beginInTake();
+    void beginInEarlier();
     void forgetPlayed();
     void changeOver(const model::ChangeOver& change);
     void hand();
@@ -168,6 +175,8 @@ private:
     void beginRange();
     [[nodiscard]] const model::Population* peopleBefore(double seconds) const;
     void start();
+    void startFrom(behavior::RunBeginning beginning);
+    void noteStart();
     void drop();
     [[nodiscard]] bool isReady();
     void buildSurface();
@@ -201,6 +210,7 @@ private:
     bool m_wasPlaying = false;                    ///< as of the last frame
     bool m_isForRecall = false; ///< the scene has no behaviour: the session began for a recall
     bool m_isKeepingPose = false;
+    bool m_isTakeWanted = false; ///< as soon as the surface is there: see takeFromHere()
     bool m_isSurfaceStale = true;
     bool m_hasBehaviour = false;
     bool m_isBehaviourStale = true;

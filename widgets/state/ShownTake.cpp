@@ -23,8 +23,9 @@ bool saysThatTakeIsShown(EditorState& state)
         return false;
     }
     state.showStatus(
-        TakeText::tr("The take \"%1\" is shown, and people move as they did in it. Show the scene "
-                     "as it plays to tell them something (panel Takes).")
+        TakeText::tr("The take \"%1\" is shown, and people move as they did in it. To tell them "
+                     "something, take it from here (menu Play), or show the scene as it plays "
+                     "(panel Takes).")
             .arg(QString::fromStdString(shown->name)));
     return true;
 }
