@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <dlfcn.h>
+
 #include <QtCore/QFile>
 #include <QtTest/QTest>
 
@@ -71,8 +73,16 @@ void MemoryReleaseTest::anotherSceneReleasesTheOneBefore()
 
 namespace {
 
-double residentMegabytes()
+/// What the program holds; under a sanitizer, whose own needs are many times that and which keeps
+/// what is given back, what is allocated.
+double heldMegabytes()
 {
+    using Count = std::size_t (*)();
+    const auto allocated =
+        reinterpret_cast<Count>(dlsym(RTLD_DEFAULT, "__sanitizer_get_current_allocated_bytes"));
+    if (allocated != nullptr) {
+        return static_cast<double>(allocated()) / 1e6;
+    }
     QFile file(QStringLiteral("/proc/self/statm"));
     if (!file.open(QIODevice::ReadOnly)) {
         return 0.0;
@@ -111,25 +121,25 @@ double MemoryReleaseTest::restingMegabytes()
     document().undoStack().setClean();
     openScene(plainScene(1), QStringLiteral("small.crowd"));
     QTest::qWait(6000);
-    return residentMegabytes();
+    return heldMegabytes();
 }
 
 void MemoryReleaseTest::manyScenesTakeNoMoreThanOne()
 {
-#ifdef __SANITIZE_ADDRESS__
-    QSKIP("The sanitizer keeps what is given back, to tell who uses it.");
-#endif
     look(QStringLiteral("city.crowd"));
     const double first = restingMegabytes();
     for (const char* scene : {"theatre.crowd", "stadium.crowd", "meadow.crowd", "city.crowd"}) {
         look(QString::fromLatin1(scene));
     }
     importTen();
-    const double busy = residentMegabytes();
+    const double busy = heldMegabytes();
     const double last = restingMegabytes();
     qInfo("%.0f MB after the first scene, %.0f MB while busy, %.0f MB at the end", first, busy,
           last);
-    QVERIFY2(last < first + 150.0, qPrintable(QString::number(last - first)));
+    // On a busy machine what is made in the background ends, and is given back, later.
+    QTRY_VERIFY2_WITH_TIMEOUT(heldMegabytes() < first + 150.0,
+                              qPrintable(QString::number(heldMegabytes() - first)),
+                              2 * kPatienceMs);
 }
 
 CROWD_WINDOW_TEST(MemoryReleaseTest)

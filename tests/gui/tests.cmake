@@ -11,7 +11,6 @@ crowd_add_tests(ROOM gui LINK crowd_app TESTS
 )
 # What is recorded in the window is replayed by interpreters of their own.
 crowd_define_for_test(gui tst_Recording
-    $<$<BOOL:${CROWD_SANITIZER}>:CROWD_SANITIZED>
     CROWD_PROGRAM="$<TARGET_FILE:crowdbrush>"
     CROWD_PYTHON="${Python3_EXECUTABLE}"
     CROWD_PYTHON_FOLDER="$<TARGET_FILE_DIR:crowdbrush_module>")

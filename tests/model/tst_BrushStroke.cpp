@@ -27,7 +27,7 @@ std::vector<PointerInput> wavyWay()
 /// The sanitizers take fifteen times as long, and look for other things than equal crowds: to them
 /// each selection is shown with one operator, and each operator with one selection, and ways are
 /// split into fewer pieces.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef CROWD_SANITIZED
 constexpr bool kShowsAll = false;
 constexpr std::uint64_t kLongestPiece = 5000; ///< of the pointer's grid
 #else

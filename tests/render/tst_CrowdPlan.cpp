@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <QtTest/QtTest>
 
-#include <ctime>
-
 #include "model/bake/KeyframeTime.h"
 #include "model/base/Random.h"
 #include "render/crowd/CrowdPlan.h"
@@ -37,7 +35,6 @@ private Q_SLOTS:
     void onlyChangedRowsAreListed();
     void rowsThatComeBackAreListed();
     void olderPopulationIsNoticed();
-    void hundredThousandArePlannedInMilliseconds();
 
 private:
     [[nodiscard]] render::CrowdPlan plan(const model::Population& population,
@@ -445,26 +442,6 @@ void TestCrowdPlan::olderPopulationIsNoticed()
     records.update({*frameOf(before, entries), templates, {}, 1, 1});
     QCOMPARE(listed(records.changedPlacements()), (std::vector<render::RowRange>{{0, 1}}));
     QVERIFY(records.placements()[0].position == glm::vec3(0.0F));
-}
-
-void TestCrowdPlan::hundredThousandArePlannedInMilliseconds()
-{
-    const model::Population people = makeField(100000);
-    const model::View view = frontView({1280.0F, 720.0F}, 60.0F);
-    render::CrowdPlan made;
-    double best = 1e9;
-    for (int i = 0; i < 20; ++i) {
-        make(made, people, view, i * 0.03);
-        const model::CrowdFramePtr frame = frameOf(people, m_entries, i * 0.03);
-        const std::clock_t start = std::clock(); // of all threads: other work may run beside
-        made.make({*frame, m_templates, m_lifts, view, 1.0F, {}, {}, 0});
-        const auto spent = static_cast<double>(std::clock() - start);
-        best = std::min(best, spent * 1000.0 / CLOCKS_PER_SEC);
-    }
-    qInfo("%.2f ms for %zu visible", best, made.instances().size());
-#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-    QVERIFY2(best < 15.0, qPrintable(QString::number(best))); // on the slowest of machines
-#endif
 }
 
 CROWD_TEST(TestCrowdPlan)
