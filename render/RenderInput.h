@@ -154,6 +154,9 @@ struct RenderInput
     glm::vec4 background{0.0F};
     /// Neither sky nor ground plane: what nothing covers has alpha 0, and colours come times alpha.
     bool isTransparent = false;
+    /// For those who go on working with it: linear light beyond 8 bits, and beyond white where no
+    /// tone curve ends there. Edges are smoothed by samples alone, and nobody is outlined.
+    bool isDeep = false;
 };
 
 /// What drawing the last picture took.

@@ -188,7 +188,8 @@ model::Result<void> Renderer::Private::draw(const RenderInput& input, const std:
 {
     const auto start = std::chrono::steady_clock::now();
     const PassContext context = contextOf(input, Style::of(input));
-    if (auto begun = passes->target.begin(context.pixelSize, input.samples); !begun) {
+    const PixelKind kind = input.isDeep ? PixelKind::Halves : PixelKind::Bytes;
+    if (auto begun = passes->target.begin(context.pixelSize, input.samples, kind); !begun) {
         return begun;
     }
     beginState(input.isTransparent);

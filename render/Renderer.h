@@ -42,7 +42,8 @@ public:
     /// Draws into the renderer's own framebuffer: what readPixels() gives.
     [[nodiscard]] model::Result<void> draw(const RenderInput& input);
 
-    /// The last picture: RGBA8, sRGB, rows from the top, size() wide and high.
+    /// The last picture: RGBA8, sRGB; of a deep one four half floats a pixel. Rows from the top,
+    /// size() wide and high.
     [[nodiscard]] std::vector<std::uint8_t> readPixels() const;
     [[nodiscard]] glm::ivec2 size() const;
 

@@ -157,29 +157,52 @@ QByteArray exrBytes(const ExrHeader& header, std::span<const ExrLayer> layers)
     return stream.bytes();
 }
 
+constexpr std::size_t kAlpha = 3;
+
+/// value(pixel, channel)
+template<class Value>
+ExrLayer colours(std::size_t pixels, bool isTransparent, const Value& value)
+{
+    constexpr std::array kNames{"R", "G", "B", "A"};
+    ExrLayer layer{"rgba", {}};
+    for (std::size_t channel = 0; channel < kNames.size(); ++channel) {
+        std::vector<float> values;
+        values.reserve(pixels);
+        for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+            const bool saysNothing = channel == kAlpha && !isTransparent;
+            values.push_back(saysNothing ? 1.0F : value(pixel, channel));
+        }
+        layer.channels.push_back({kNames[channel], std::move(values), true});
+    }
+    return layer;
+}
+
 } // namespace
 
 ExrLayer colourLayer(std::span<const std::uint8_t> rgba, bool isTransparent)
 {
-    constexpr std::array kNames{"R", "G", "B", "A"};
     constexpr float kMost = 255.0F;
     std::array<float, 256> linear{};
     for (std::size_t i = 0; i < linear.size(); ++i) {
         linear[i] = model::linearFromSrgb(static_cast<float>(i) / kMost);
     }
-    ExrLayer layer{"rgba", {}};
-    for (std::size_t channel = 0; channel < kNames.size(); ++channel) {
-        std::vector<float> values;
-        values.reserve(rgba.size() / kNames.size());
-        for (std::size_t i = channel; i < rgba.size(); i += kNames.size()) {
-            const bool isAlpha = channel == 3;
-            values.push_back(!isAlpha        ? linear[rgba[i]]
-                             : isTransparent ? static_cast<float>(rgba[i]) / kMost
-                                             : 1.0F);
-        }
-        layer.channels.push_back({kNames[channel], std::move(values), true});
-    }
-    return layer;
+    return colours(rgba.size() / 4, isTransparent, [&](std::size_t pixel, std::size_t channel) {
+        const std::uint8_t byte = rgba[pixel * 4 + channel];
+        return channel == kAlpha ? static_cast<float>(byte) / kMost : linear[byte];
+    });
+}
+
+ExrLayer deepColourLayer(std::span<const std::uint8_t> halves, bool isTransparent)
+{
+    constexpr std::size_t kBytes = sizeof(std::uint16_t);
+    return colours(halves.size() / (4 * kBytes), isTransparent,
+                   [&](std::size_t pixel, std::size_t channel) {
+                       std::uint16_t bits = 0;
+                       std::memcpy(&bits, &halves[(pixel * 4 + channel) * kBytes], kBytes);
+                       Imath::half value;
+                       value.setBits(bits);
+                       return static_cast<float>(value);
+                   });
 }
 
 model::Result<QByteArray> encodeExr(const ExrHeader& header, std::span<const ExrLayer> layers)

@@ -45,6 +45,8 @@ struct ExrHeader
 /// Linear red, green, blue and alpha, of RGBA8, sRGB, colours times alpha where it is transparent;
 /// elsewhere its alpha says nothing.
 [[nodiscard]] ExrLayer colourLayer(std::span<const std::uint8_t> rgba, bool isTransparent);
+/// The same of four half floats a pixel, linear already.
+[[nodiscard]] ExrLayer deepColourLayer(std::span<const std::uint8_t> halves, bool isTransparent);
 
 /// The bytes of an OpenEXR file of scan lines: of one part where there is one layer, else of
 /// several of the same size. The message says only why there are none.

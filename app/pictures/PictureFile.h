@@ -30,7 +30,7 @@ public:
     [[nodiscard]] static model::Result<std::unique_ptr<PictureFile>>
     begin(const QString& path, const PictureShape& shape);
 
-    /// Some rows of RGBA8, from the top.
+    /// Some rows, from the top: RGBA8; where the shape is deep four half floats a pixel.
     [[nodiscard]] model::Result<void> add(std::span<const std::uint8_t> rows);
     /// Once, after the last row; without it the file stays as it was.
     [[nodiscard]] model::Result<void> finish();

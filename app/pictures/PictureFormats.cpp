@@ -36,14 +36,15 @@ public:
     model::Result<void> add(std::span<const std::uint8_t> rows) override
     {
         const auto width = static_cast<std::size_t>(m_shape.size.x);
-        m_rgba.reserve(width * static_cast<std::size_t>(m_shape.size.y) * 4);
-        m_rgba.insert(m_rgba.end(), rows.begin(), rows.end());
+        const std::size_t pixelBytes = m_shape.isDeep ? 8 : 4;
+        m_pixels.reserve(width * static_cast<std::size_t>(m_shape.size.y) * pixelBytes);
+        m_pixels.insert(m_pixels.end(), rows.begin(), rows.end());
         return {};
     }
 
     model::Result<void> finish() override
     {
-        const auto bytes = m_encode(m_rgba, m_shape);
+        const auto bytes = m_encode(m_pixels, m_shape);
         if (!bytes) {
             return bytes.error();
         }
@@ -54,7 +55,7 @@ private:
     PictureShape m_shape;
     ByteSink m_sink;
     Encode m_encode;
-    std::vector<std::uint8_t> m_rgba;
+    std::vector<std::uint8_t> m_pixels;
 };
 
 template<WholeEncoder::Encode kEncode>
@@ -105,7 +106,8 @@ model::Result<QByteArray> webp(std::vector<std::uint8_t>& rgba, const PictureSha
 /// Of half floats, for those who go on working with it.
 model::Result<QByteArray> linear(std::vector<std::uint8_t>& rgba, const PictureShape& shape)
 {
-    const std::array layer{colourLayer(rgba, shape.isTransparent)};
+    const std::array layer{shape.isDeep ? deepColourLayer(rgba, shape.isTransparent)
+                                        : colourLayer(rgba, shape.isTransparent)};
     ExrHeader header;
     header.size = shape.size;
     return encodeExr(header, layer);
@@ -120,11 +122,12 @@ constexpr const char* kExr[] = {"exr"};
 constexpr std::string_view kPngEnd = "IEND\xAE\x42\x60\x82"; ///< the last chunk
 
 constexpr PictureFormat kFormats[] = {
-    {"PNG", kPng, true, PassRoom::FilesEach, kPngEnd, kMostPixelsASide, &makePngEncoder},
-    {"JPEG", kJpeg, false, PassRoom::None, "\xFF\xD9", kMostAtOnce, &whole<&jpeg>},
-    {"TIFF", kTiff, true, PassRoom::None, "", kMostAtOnce, &whole<&tiff>},
-    {"WebP", kWebp, true, PassRoom::None, "", 16383, &whole<&webp>}, // the format's own limit
-    {"OpenEXR", kExr, true, PassRoom::Layers, "", kMostAtOnce, &whole<&linear>}};
+    {"PNG", kPng, true, false, PassRoom::FilesEach, kPngEnd, kMostPixelsASide, &makePngEncoder},
+    {"JPEG", kJpeg, false, false, PassRoom::None, "\xFF\xD9", kMostAtOnce, &whole<&jpeg>},
+    {"TIFF", kTiff, true, false, PassRoom::None, "", kMostAtOnce, &whole<&tiff>},
+    {"WebP", kWebp, true, false, PassRoom::None, "", 16383,
+     &whole<&webp>}, // the format's own limit
+    {"OpenEXR", kExr, true, true, PassRoom::Layers, "", kMostAtOnce, &whole<&linear>}};
 
 } // namespace
 

@@ -21,12 +21,13 @@ struct PictureShape
 {
     glm::ivec2 size{0};
     bool isTransparent = false; ///< its colours are times alpha; else its alpha says nothing
+    bool isDeep = false;        ///< see render::RenderInput
 };
 
 /// Takes bytes of a file, in order.
 using ByteSink = std::function<model::Result<void>(std::string_view bytes)>;
 
-/// Makes a file's bytes of a picture as the renderer leaves it: RGBA8, sRGB, rows from the top. The
+/// Makes a file's bytes of a picture as the renderer leaves it, rows from the top. The
 /// messages say only why there are none, or what its sink said.
 class PictureEncoder
 {
@@ -56,6 +57,7 @@ struct PictureFormat
     const char* name;
     std::span<const char* const> endings; ///< without the dot, lower case; the first is the usual
     bool hasTransparency;
+    bool isDeep; ///< has room for colours beyond 8 bits
     PassRoom passes;
     std::string_view end; ///< of whole files; empty: it is not always the same
     int mostPixelsASide;  ///< those that are not written row by row are held in memory twice

@@ -3,6 +3,7 @@
 
 #include "app/pictures/PassFile.h"
 #include "app/pictures/PictureFile.h"
+#include "app/pictures/PictureFormats.h"
 #include "app/pictures/PictureTiles.h"
 #include "render/SceneLook.h"
 
@@ -119,20 +120,36 @@ model::Result<void> PictureMaker::draw(const PictureRequest& request,
                                        const model::KeepGoing& keepGoing)
 {
     m_pixels.clear();
-    const auto keep = [this](std::span<const std::uint8_t> rows) -> model::Result<void> {
-        m_pixels.insert(m_pixels.end(), rows.begin(), rows.end());
-        return {};
-    };
-    return drawRows(request, keep, keepGoing);
+    auto drawn = allRows(request, false, keepGoing);
+    if (!drawn) {
+        return drawn.error();
+    }
+    m_pixels = std::move(drawn).value();
+    return {};
 }
 
-model::Result<void> PictureMaker::drawRows(const PictureRequest& request, const RowSink& sink,
-                                           const model::KeepGoing& keepGoing)
+model::Result<std::vector<std::uint8_t>>
+PictureMaker::allRows(const PictureRequest& request, bool isDeep, const model::KeepGoing& keepGoing)
+{
+    std::vector<std::uint8_t> pixels;
+    const auto keep = [&pixels](std::span<const std::uint8_t> rows) -> model::Result<void> {
+        pixels.insert(pixels.end(), rows.begin(), rows.end());
+        return {};
+    };
+    if (auto drawn = drawRows(request, isDeep, keep, keepGoing); !drawn) {
+        return drawn.error();
+    }
+    return pixels;
+}
+
+model::Result<void> PictureMaker::drawRows(const PictureRequest& request, bool isDeep,
+                                           const RowSink& sink, const model::KeepGoing& keepGoing)
 {
     if (!m_context->makeCurrent()) {
         return contextLost();
     }
     render::RenderInput input = inputOf(request, m_keyframes);
+    input.isDeep = isDeep;
     const model::View whole = input.view;
     const std::vector<TileRow> rows = tilesOf(request.size, request.tileSide);
     const auto width = static_cast<std::size_t>(request.size.x);
@@ -140,7 +157,7 @@ model::Result<void> PictureMaker::drawRows(const PictureRequest& request, const 
     const std::size_t tiles = rows.size() * rows.front().size();
     Progress progress{keepGoing, tiles};
     for (const TileRow& row : rows) {
-        pixels.resize(width * static_cast<std::size_t>(row.front().size.y) * 4);
+        pixels.resize(width * static_cast<std::size_t>(row.front().size.y) * (isDeep ? 8 : 4));
         for (const PictureTile& tile : row) {
             if (tiles > 1) {
                 input.view = whole.part(tile.drawnCorner, tile.drawnSize);
@@ -220,11 +237,27 @@ model::Result<std::vector<ExrLayer>> PictureMaker::layers(const PictureRequest& 
                                                           const PicturePasses& passes,
                                                           const model::KeepGoing& keepGoing)
 {
-    if (!m_context->makeCurrent()) {
-        return contextLost();
-    }
     if (auto room = roomForLayers(request.size); !room && !passes.empty()) {
         return room.error();
+    }
+    std::vector<std::uint8_t> colours;
+    if (needAny(passes, PassNeed::Colours)) {
+        auto drawn = allRows(request, true, keepGoing);
+        if (!drawn) {
+            return drawn.error();
+        }
+        colours = std::move(drawn).value();
+    }
+    return layersWith(colours, request, passes, keepGoing);
+}
+
+model::Result<std::vector<ExrLayer>> PictureMaker::layersWith(std::span<const std::uint8_t> colours,
+                                                              const PictureRequest& request,
+                                                              const PicturePasses& passes,
+                                                              const model::KeepGoing& keepGoing)
+{
+    if (!m_context->makeCurrent()) {
+        return contextLost();
     }
     const auto shown = aovs(request, passes);
     if (!shown) {
@@ -234,7 +267,7 @@ model::Result<std::vector<ExrLayer>> PictureMaker::layers(const PictureRequest& 
     if (!covered) {
         return covered.error();
     }
-    return layersOf(passes, {m_pixels, request.isTransparent, shown.value(), covered.value(),
+    return layersOf(passes, {colours, request.isTransparent, shown.value(), covered.value(),
                              *request.frame, request.camera});
 }
 
@@ -242,26 +275,41 @@ model::Result<void> PictureMaker::save(const QString& path, const PictureRequest
                                        const PicturePasses& passes,
                                        const model::KeepGoing& keepGoing)
 {
-    if (passes.empty()) {
-        const auto file = PictureFile::begin(path, {request.size, request.isTransparent});
-        if (!file) {
-            return file.error();
-        }
-        const auto add = [&](std::span<const std::uint8_t> rows) {
-            return file.value()->add(rows);
-        };
-        auto drawn = drawRows(request, add, keepGoing);
-        return drawn ? file.value()->finish() : drawn;
+    return passes.empty() ? savePicture(path, request, keepGoing)
+                          : savePasses(path, request, passes, keepGoing);
+}
+
+model::Result<void> PictureMaker::savePicture(const QString& path, const PictureRequest& request,
+                                              const model::KeepGoing& keepGoing)
+{
+    const PictureFormat* format = pictureFormatOf(path);
+    const bool isDeep = format != nullptr && format->isDeep;
+    const auto file = PictureFile::begin(path, {request.size, request.isTransparent, isDeep});
+    if (!file) {
+        return file.error();
     }
+    const auto add = [&](std::span<const std::uint8_t> rows) { return file.value()->add(rows); };
+    auto drawn = drawRows(request, isDeep, add, keepGoing);
+    return drawn ? file.value()->finish() : drawn;
+}
+
+model::Result<void> PictureMaker::savePasses(const QString& path, const PictureRequest& request,
+                                             const PicturePasses& passes,
+                                             const model::KeepGoing& keepGoing)
+{
     auto room = roomForPasses(path, passes);
     room = room ? roomForLayers(request.size) : room;
     if (!room) {
         return room;
     }
-    if (auto drawn = draw(request, keepGoing); !drawn) {
-        return drawn;
+    const bool drawsDeep = pictureFormatOf(path)->isDeep && needAny(passes, PassNeed::Colours);
+    if (!drawsDeep) { // first: the passes are of clips that the picture has waited for
+        if (auto drawn = draw(request, keepGoing); !drawn) {
+            return drawn;
+        }
     }
-    const auto made = layers(request, passes, keepGoing);
+    const auto made =
+        drawsDeep ? layers(request, passes, keepGoing) : layersWith({}, request, passes, keepGoing);
     if (!made) {
         return made.error();
     }

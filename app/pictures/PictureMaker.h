@@ -57,7 +57,8 @@ public:
     /// stopped.
     [[nodiscard]] model::Result<void> draw(const PictureRequest& request,
                                            const model::KeepGoing& keepGoing = {});
-    /// Layers of the picture of a request that has just been drawn.
+    /// What these passes say of the picture of a request, which has just been drawn unless its
+    /// colours are among them.
     [[nodiscard]] model::Result<std::vector<ExrLayer>>
     layers(const PictureRequest& request, const PicturePasses& passes,
            const model::KeepGoing& keepGoing = {});
@@ -74,11 +75,24 @@ public:
 private:
     explicit PictureMaker(model::KeyframeStore& keyframes) : m_keyframes(keyframes) {}
 
-    /// Takes some rows of a picture, from the top.
+    /// Takes some rows of a picture, from the top; RGBA8, or where it is deep half floats.
     using RowSink = std::function<model::Result<void>(std::span<const std::uint8_t> rows)>;
 
-    [[nodiscard]] model::Result<void> drawRows(const PictureRequest& request, const RowSink& sink,
+    [[nodiscard]] model::Result<void> drawRows(const PictureRequest& request, bool isDeep,
+                                               const RowSink& sink,
                                                const model::KeepGoing& keepGoing);
+    [[nodiscard]] model::Result<std::vector<std::uint8_t>>
+    allRows(const PictureRequest& request, bool isDeep, const model::KeepGoing& keepGoing);
+    [[nodiscard]] model::Result<void> savePicture(const QString& path,
+                                                  const PictureRequest& request,
+                                                  const model::KeepGoing& keepGoing);
+    [[nodiscard]] model::Result<void> savePasses(const QString& path, const PictureRequest& request,
+                                                 const PicturePasses& passes,
+                                                 const model::KeepGoing& keepGoing);
+    /// As layers(), with such colours.
+    [[nodiscard]] model::Result<std::vector<ExrLayer>>
+    layersWith(std::span<const std::uint8_t> colours, const PictureRequest& request,
+               const PicturePasses& passes, const model::KeepGoing& keepGoing);
     [[nodiscard]] model::Result<void> drawTile(const render::RenderInput& input,
                                                const model::KeepGoing& keepGoing);
     [[nodiscard]] model::Result<void> drawComplete(const render::RenderInput& input);

@@ -30,7 +30,7 @@ std::vector<float>& floats(ExrChannel& channel)
 
 ExrLayer colourPass(const PassSource& source)
 {
-    return colourLayer(source.colours, source.isTransparent);
+    return deepColourLayer(source.colours, source.isTransparent);
 }
 
 ExrLayer depthPass(const PassSource& source)
@@ -124,7 +124,7 @@ ExrLayer cryptomattePass(const PassSource& source)
 
 constexpr PicturePass kPasses[] = {
     {"colour", QT_TRANSLATE_NOOP("PicturePasses", "Colour"),
-     "red, green, blue and alpha of the finished picture, of 8 bits each, as linear light, "
+     "red, green, blue and alpha of the finished picture, as linear light beyond 8 bits and white, "
      "colours times alpha",
      PassNeed::Colours, &colourPass},
     {"depth", QT_TRANSLATE_NOOP("PicturePasses", "Depth"),

@@ -20,9 +20,10 @@ namespace crowd::app {
 /// What the layers of a picture are made from.
 struct PassSource
 {
-    const std::vector<std::uint8_t>& colours; ///< RGBA8, sRGB, rows from the top
+    /// Of a deep picture, rows from the top; these and the next two: empty where no pass needs it.
+    std::span<const std::uint8_t> colours;
     bool isTransparent = false;
-    const render::AovPicture& aovs; ///< and the next: empty where no pass needs it
+    const render::AovPicture& aovs;
     const Coverage& coverage;
     const model::CrowdFrame& frame;
     const model::Camera& camera;

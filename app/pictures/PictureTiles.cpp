@@ -12,7 +12,6 @@ namespace {
 
 /// As far as any pixel reads (occlusion.frag), in steps of the patterns.
 constexpr int kRim = 8 * kTileStep;
-constexpr int kBytes = 4; ///< a pixel
 
 PictureTile tileAt(glm::ivec2 picture, glm::ivec2 corner, glm::ivec2 size)
 {
@@ -49,16 +48,18 @@ void copyTile(const PictureTile& tile, std::span<const std::uint8_t> drawn,
               std::span<std::uint8_t> rows, int width)
 {
     const glm::ivec2 inside = tile.corner - tile.drawnCorner;
-    const auto bytes = static_cast<std::size_t>(tile.size.x) * kBytes;
+    const std::size_t pixelBytes = drawn.size() / (static_cast<std::size_t>(tile.drawnSize.x) *
+                                                   static_cast<std::size_t>(tile.drawnSize.y));
+    const std::size_t bytes = static_cast<std::size_t>(tile.size.x) * pixelBytes;
     for (int y = 0; y < tile.size.y; ++y) {
         const int line = inside.y + y;
         const auto from =
             (static_cast<std::size_t>(line) * static_cast<std::size_t>(tile.drawnSize.x) +
              static_cast<std::size_t>(inside.x)) *
-            kBytes;
+            pixelBytes;
         const auto to = (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                          static_cast<std::size_t>(tile.corner.x)) *
-                        kBytes;
+                        pixelBytes;
         std::ranges::copy(drawn.subspan(from, bytes), rows.subspan(to).begin());
     }
 }

@@ -29,8 +29,8 @@ inline constexpr int kTileStep = 24;
 /// multiple of kTileStep.
 [[nodiscard]] std::vector<TileRow> tilesOf(glm::ivec2 picture, int side);
 
-/// Puts what is kept of a drawn tile (RGBA8, rows from the top) where it is among rows of the
-/// picture, `width` pixels each, the first of them that of the tile.
+/// Puts what is kept of a drawn tile (rows from the top, of pixels of any size) where it is among
+/// rows of the picture, `width` pixels each, the first of them that of the tile.
 void copyTile(const PictureTile& tile, std::span<const std::uint8_t> drawn,
               std::span<std::uint8_t> rows, int width);
 

@@ -9,6 +9,7 @@
 #include "app/pictures/NumberedPictures.h"
 #include "app/pictures/PassFile.h"
 #include "app/pictures/PictureFile.h"
+#include "app/pictures/PictureFormats.h"
 #include "app/python/Binding.h"
 #include "app/python/LongCall.h"
 #include "app/python/OutsidePython.h"
@@ -114,6 +115,16 @@ py::list makeFrames(ScriptScene& scene, const QString& path, const std::vector<i
     return files.finish();
 }
 
+/// Those named; without any, colours where a file has room for more than a picture's bytes.
+PicturePasses passesFor(const QString& file, const std::vector<std::string>& names)
+{
+    if (!names.empty()) {
+        return passesNamed(names);
+    }
+    const PictureFormat* format = pictureFormatOf(file);
+    return format != nullptr && format->isDeep ? passesNamed({"colour"}) : PicturePasses();
+}
+
 py::list makeMovie(const ScenePtr& scene, const FilePath& path, const std::vector<int>& frames,
                    double framesPerSecond, int width, int height, const CameraKey& camera,
                    const std::string& look, const std::string& by,
@@ -129,10 +140,8 @@ py::list makeMovie(const ScenePtr& scene, const FilePath& path, const std::vecto
         refuseMissing(*scene->scene());
     }
     LongCall call(progress);
-    const MovieOptions options{framesPerSecond,
-                               {width, height},
-                               passes.empty() ? PicturePasses() : passesNamed(passes),
-                               isTransparent};
+    const MovieOptions options{
+        framesPerSecond, {width, height}, passesFor(file, passes), isTransparent};
     return makeFrames(*scene, file, frames, options, camera, {{look, by, cameraName(camera)}, {}},
                       call);
 }

@@ -9,6 +9,7 @@
 
 #include "app/pictures/PassFile.h"
 #include "app/pictures/PictureFile.h"
+#include "app/pictures/StraightAlpha.h"
 #include "app/python/Binding.h"
 #include "app/python/LongCall.h"
 #include "app/python/OutsidePython.h"
@@ -195,39 +196,19 @@ py::object picture(const ScenePtr& scene, int width, int height, const CameraKey
 }
 
 /// Red, green and blue by alpha, or the other way round; each is 255 at most.
-std::vector<std::uint8_t> withoutAlpha(std::vector<std::uint8_t> pixels)
-{
-    for (std::size_t i = 0; i + 3 < pixels.size(); i += 4) {
-        const int alpha = pixels[i + 3];
-        for (std::size_t channel = i; channel < i + 3; ++channel) {
-            const int straight = alpha == 0 ? 0 : (pixels[channel] * 255 + alpha / 2) / alpha;
-            pixels[channel] = static_cast<std::uint8_t>(std::min(straight, 255));
-        }
-    }
-    return pixels;
-}
-
-std::vector<std::uint8_t> timesAlpha(std::vector<std::uint8_t> pixels)
-{
-    for (std::size_t i = 0; i + 3 < pixels.size(); i += 4) {
-        for (std::size_t channel = i; channel < i + 3; ++channel) {
-            pixels[channel] =
-                static_cast<std::uint8_t>((pixels[channel] * pixels[i + 3] + 127) / 255);
-        }
-    }
-    return pixels;
-}
-
 void savePicture(const FilePath& path, const py::array_t<std::uint8_t, py::array::c_style>& array,
                  bool isTransparent)
 {
     if (array.ndim() != 3 || array.shape(2) != 4) {
         throw ScriptError("A picture is an array of height × width × 4.");
     }
-    const std::vector<std::uint8_t> pixels(array.data(), array.data() + array.size());
-    valueOrRaise(writePicture(
-        QString::fromStdString(path.string()), isTransparent ? timesAlpha(pixels) : pixels,
-        {static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0))}, isTransparent));
+    std::vector<std::uint8_t> pixels(array.data(), array.data() + array.size());
+    if (isTransparent) {
+        multiplyAlpha(pixels);
+    }
+    valueOrRaise(writePicture(QString::fromStdString(path.string()), pixels,
+                              {static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0))},
+                              isTransparent));
 }
 
 /// A picture is an array that can save itself; a subclass of NumPy's is shortest in Python.
@@ -404,7 +385,7 @@ py::object pictureOf(ScriptScene& scene, ScriptPicture request, const CameraKey&
     const bool isTransparent = request.isTransparent;
     ScriptDrawing drawn = drawingOf(scene, std::move(request), camera, look, call);
     if (isTransparent) {
-        drawn.pixels = withoutAlpha(std::move(drawn.pixels));
+        straightenAlpha(drawn.pixels);
     }
     const py::array_t<std::uint8_t> array({size.y, size.x, 4}, drawn.pixels.data());
     return callPython(py::module_::import("crowdbrush").attr("Picture"), py::make_tuple(array));

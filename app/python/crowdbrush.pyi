@@ -1390,12 +1390,12 @@ class Scene:
         or a .png, from which each has one of its own (a.depth.png), as whole numbers. Of each
         pixel it is what lies at its centre; glass of stages is seen through, and of people
         what hides less than half. There are colour (red, green, blue and alpha of the
-        finished picture, of 8 bits each, as linear light, colours times alpha); depth (metres
-        along the view axis; 1e10 where nothing is); normal (unit vectors, world, towards the
-        camera's side; 0 where nothing is); position (metres, world, Y up; 0 where nothing
-        is); motion (pixels, right and up, to where the same point was a frame earlier; 0
-        where somebody was not there yet); id (the individual's id; 0 where nobody is);
-        template (the individual's template; 0 where nobody is); cryptomatte (mattes of
+        finished picture, as linear light beyond 8 bits and white, colours times alpha); depth
+        (metres along the view axis; 1e10 where nothing is); normal (unit vectors, world,
+        towards the camera's side; 0 where nothing is); position (metres, world, Y up; 0 where
+        nothing is); motion (pixels, right and up, to where the same point was a frame
+        earlier; 0 where somebody was not there yet); id (the individual's id; 0 where nobody
+        is); template (the individual's template; 0 where nobody is); cryptomatte (mattes of
         everybody and of every template with smooth edges, by the Cryptomatte specification;
         24 components; sharp where the colours have depth of field). camera, time, look, by,
         transparent and allow_missing are as of render. progress: is called with the share

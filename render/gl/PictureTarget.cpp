@@ -18,12 +18,26 @@ GlRenderbuffer makeStorage(GLenum format, glm::ivec2 size, int samples)
     return storage;
 }
 
-GlTexture makeTexture(glm::ivec2 size)
+/// What OpenGL calls a kind of pixels.
+struct PixelFormat
+{
+    GLenum inside;
+    GLenum type; ///< of each of the four when they are read
+    std::size_t bytes;
+};
+
+PixelFormat formatOf(PixelKind kind)
+{
+    return kind == PixelKind::Halves ? PixelFormat{GL_RGBA16F, GL_HALF_FLOAT, 8}
+                                     : PixelFormat{GL_SRGB8_ALPHA8, GL_UNSIGNED_BYTE, 4};
+}
+
+GlTexture makeTexture(glm::ivec2 size, const PixelFormat& format)
 {
     GlTexture texture = GlTexture::create();
     glBindTexture(GL_TEXTURE_2D, texture.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 nullptr);
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format.inside), size.x, size.y, 0, GL_RGBA,
+                 format.type, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -45,14 +59,15 @@ bool isComplete()
 
 } // namespace
 
-model::Result<void> PictureTarget::begin(glm::ivec2 size, int samples)
+model::Result<void> PictureTarget::begin(glm::ivec2 size, int samples, PixelKind kind)
 {
     GLint most = 0;
     glGetIntegerv(GL_MAX_SAMPLES, &most);
     const int used = std::clamp(samples, 0, static_cast<int>(most));
-    if (!m_drawn || size != m_size || used != m_samples) {
+    if (!m_drawn || size != m_size || used != m_samples || kind != m_kind) {
         m_size = size;
         m_samples = used;
+        m_kind = kind;
         if (auto made = make(); !made) {
             m_drawn.reset();
             return made;
@@ -79,7 +94,8 @@ void PictureTarget::copyDepth(std::uint32_t framebuffer) const
 
 model::Result<void> PictureTarget::make()
 {
-    m_resolvedColor = makeTexture(m_size);
+    const PixelFormat format = formatOf(m_kind);
+    m_resolvedColor = makeTexture(m_size, format);
     m_drawnDepth = makeStorage(GL_DEPTH24_STENCIL8, m_size, m_samples);
     m_drawn = GlFramebuffer::create();
     glBindFramebuffer(GL_FRAMEBUFFER, m_drawn.name());
@@ -87,7 +103,7 @@ model::Result<void> PictureTarget::make()
         m_drawnColor.reset();
         attachPicture(m_resolvedColor);
     } else {
-        m_drawnColor = makeStorage(GL_SRGB8_ALPHA8, m_size, m_samples);
+        m_drawnColor = makeStorage(format.inside, m_size, m_samples);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
                                   m_drawnColor.name());
     }
@@ -159,13 +175,14 @@ void PictureTarget::end(const std::uint32_t* framebuffer, bool needsCopy)
 
 std::vector<std::uint8_t> PictureTarget::read() const
 {
-    const std::size_t stride = static_cast<std::size_t>(m_size.x) * 4;
+    const PixelFormat format = formatOf(m_kind);
+    const std::size_t stride = static_cast<std::size_t>(m_size.x) * format.bytes;
     std::vector<std::uint8_t> pixels(stride * static_cast<std::size_t>(m_size.y));
     GLint before = 0;
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &before);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, m_isCopied ? m_copy.name() : m_resolved.name());
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, m_size.x, m_size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    glReadPixels(0, 0, m_size.x, m_size.y, GL_RGBA, format.type, pixels.data());
     glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(before));
     for (int y = 0; y < m_size.y / 2; ++y) {
         std::uint8_t* top = pixels.data() + static_cast<std::size_t>(y) * stride;

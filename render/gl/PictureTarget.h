@@ -11,14 +11,21 @@
 
 namespace crowd::render {
 
-/// The framebuffer a picture is drawn into: sRGB, several samples a pixel, physical pixels; and the
-/// one with a sample a pixel that it is resolved into.
+/// What a picture's colours are held as.
+enum class PixelKind : std::uint8_t {
+    Bytes, ///< RGBA8, sRGB
+    Halves ///< four half floats, linear
+};
+
+/// The framebuffer a picture is drawn into: several samples a pixel, physical pixels; and the one
+/// with a sample a pixel that it is resolved into.
 class PictureTarget
 {
 public:
-    /// Makes the framebuffers anew if size or samples differ from the last call's; binds the one
-    /// that is drawn into.
-    [[nodiscard]] model::Result<void> begin(glm::ivec2 size, int samples);
+    /// Makes the framebuffers anew if any of these differs from the last call's; binds the one that
+    /// is drawn into.
+    [[nodiscard]] model::Result<void> begin(glm::ivec2 size, int samples,
+                                            PixelKind kind = PixelKind::Bytes);
     /// Draws into it again.
     void bind() const;
     /// Copies what it has of depth to a framebuffer of the same size and format; leaves that one
@@ -28,13 +35,14 @@ public:
     void resolve();
     /// Copies what is resolved to `framebuffer`'s origin unless it is null. Leaves that one (or the
     /// resolved one) bound. Where something more is drawn from resolved(), the copy is needed and
-    /// goes to a framebuffer of its own instead of none.
+    /// goes to a framebuffer of its own instead of none. What is drawn then is encoded already: not
+    /// of halves.
     void end(const std::uint32_t* framebuffer, bool needsCopy);
     /// The texture with the resolved picture, alpha as it was drawn.
     [[nodiscard]] std::uint32_t resolved() const { return m_resolvedColor.name(); }
     /// The framebuffer of that texture.
     [[nodiscard]] std::uint32_t resolvedFrame() const;
-    /// RGBA8 of the finished picture, rows from the top.
+    /// The finished picture, rows from the top.
     [[nodiscard]] std::vector<std::uint8_t> read() const;
     [[nodiscard]] glm::ivec2 size() const { return m_size; }
 
@@ -44,6 +52,7 @@ private:
 
     glm::ivec2 m_size{0};
     int m_samples = -1;
+    PixelKind m_kind = PixelKind::Bytes;
     GlFramebuffer m_drawn;
     GlRenderbuffer m_drawnColor;
     GlRenderbuffer m_drawnDepth;

@@ -34,7 +34,7 @@ void EdgePass::initialize()
 bool EdgePass::isNeeded(const PassContext& context)
 {
     const RenderInput& input = context.input;
-    return input.smoothsEdges && input.samples == 0 && !input.isTransparent &&
+    return input.smoothsEdges && input.samples == 0 && !input.isTransparent && !input.isDeep &&
            input.ripeness.value_or(0) < kRipe && canReadEncoded();
 }
 

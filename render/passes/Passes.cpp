@@ -239,7 +239,8 @@ model::Result<AovPicture> Passes::drawAovs(PassContext context)
 model::Result<void> Passes::finish(const PassContext& context, const std::uint32_t* framebuffer)
 {
     const RenderInput& input = context.input;
-    const bool isHighlighted = input.frame && !seen.planned().highlighted().empty();
+    const bool isHighlighted =
+        input.frame && !input.isDeep && !seen.planned().highlighted().empty();
     const bool isSmoothed = EdgePass::isNeeded(context);
     model::Result<void> drawn;
     target.resolve();

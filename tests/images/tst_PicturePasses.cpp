@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <set>
 #include <string>
 
 #include <OpenEXR/ImfStandardAttributes.h>
@@ -18,6 +19,7 @@
 #include "app/pictures/PictureFile.h"
 #include "app/pictures/PictureMaker.h"
 #include "app/pictures/PicturePasses.h"
+#include "model/base/Color.h"
 #include "model/scene/Scene.h"
 #include "tests/images/ExrReading.h"
 #include "tests/program/Test.h"
@@ -35,6 +37,7 @@ private Q_SLOTS:
     void theyAreFoundByName();
     void coloursAreLinear();
     void theFileTellsWhoIsWhere();
+    void coloursGoBeyondWhite();
     void motionIsThere();
     void mattesHaveSmoothEdges();
     void manyOfAPixelKeepTheirTemplates();
@@ -141,6 +144,39 @@ void TestPicturePasses::theFileTellsWhoIsWhere()
         file.header(0).findTypedAttribute<Imf::StringAttribute>("crowdbrush.templates");
     QVERIFY(names != nullptr);
     QVERIFY(names->value() == "{\"1\":\"box man\"}");
+}
+
+/// What goes on to compositing is darkened there without steps, and without burnt-out white.
+void TestPicturePasses::coloursGoBeyondWhite()
+{
+    model::KeyframeStore keyframes;
+    auto maker = app::PictureMaker::create(keyframes);
+    QVERIFY(maker.isOk());
+    app::PictureRequest request = tallIds();
+    request.lighting.toneMap = model::ToneMap::None;
+    request.lighting.exposureStops = 3.0F;
+    QVERIFY(maker.value()->draw(request).isOk());
+    const std::vector<std::uint8_t> bytes = maker.value()->pixels();
+    const auto passes = app::passesOf("colour,depth").value();
+    for (const bool hasPasses : {false, true}) {
+        const QString path = m_folder.filePath(QStringLiteral("bright.exr"));
+        const auto saved =
+            maker.value()->save(path, request, hasPasses ? passes : app::PicturePasses());
+        QVERIFY2(saved.isOk(), saved ? "" : saved.error().message.c_str());
+        const auto green = exrValues<float>(path, 0, "G", kSide, kSide, Imf::FLOAT);
+        QVERIFY(*std::ranges::max_element(green) > 1.5F);
+        const std::set<float> steps(green.begin(), green.end());
+        QVERIFY2(steps.size() > 256, qPrintable(QString::number(steps.size())));
+        int differing = 0;
+        for (std::size_t i = 0; i < green.size(); ++i) {
+            const float shown = 255.0F * model::srgbFromLinear(std::min(green[i], 1.0F));
+            differing += std::abs(shown - static_cast<float>(bytes[i * 4 + 1])) > 1.5F ? 1 : 0;
+        }
+        // Samples are mixed as light, not as what is seen of it.
+        QVERIFY2(differing < kSide * kSide / 10, qPrintable(QString::number(differing)));
+    }
+    QVERIFY(maker.value()->draw(request).isOk()); // and bytes again
+    QVERIFY(maker.value()->pixels() == bytes);
 }
 
 /// As programs for compositing name it; without a moment before nothing moves.
