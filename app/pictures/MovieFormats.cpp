@@ -7,12 +7,14 @@ namespace crowd::app {
 
 namespace {
 
-/// Colours as televisions have them, said in the file, and an even number of rows and columns,
-/// which these encoders want.
+/// An even number of rows and columns, which these encoders want.
+constexpr const char* kEvenSize = "pad=max(iw\\,2):max(ih\\,2),crop=trunc(iw/2)*2:trunc(ih/2)*2,"
+                                  "scale=out_color_matrix=bt709:out_range=tv";
+
+/// Colours as televisions have them, said in the file.
 #define CROWD_MOVIE_COLOURS                                                                        \
-    "-vf", "scale=out_color_matrix=bt709:out_range=tv,pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt",  \
-        "yuv420p", "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709",     \
-        "-color_range", "tv"
+    "-vf", kEvenSize, "-pix_fmt", "yuv420p", "-colorspace", "bt709", "-color_primaries", "bt709",  \
+        "-color_trc", "bt709", "-color_range", "tv"
 
 constexpr const char* kMp4[] = {"-c:v", "libx264",           "-preset",   "medium",     "-crf",
                                 "16",   CROWD_MOVIE_COLOURS, "-movflags", "+faststart", "-f",

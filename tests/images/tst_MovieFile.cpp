@@ -132,9 +132,17 @@ void TestMovieFile::oddSizesAreTaken()
     const QTemporaryDir folder;
     for (const MovieFormat& format : movieFormats()) {
         const QString path = folder.filePath(QStringLiteral("odd.") + QLatin1String(format.ending));
-        const auto made = make(path, 2, {33, 17});
-        QVERIFY2(made.isOk(), made ? "" : made.error().message.c_str());
+        for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(33, 17)}) {
+            const auto made = make(path, 2, size);
+            QVERIFY2(made.isOk(), made ? "" : made.error().message.c_str());
+        }
     }
+    // No row and no column is added that is black.
+    const auto pictures =
+        crowd::testing::picturesOf(folder.filePath(QStringLiteral("odd.mp4")), 32, 16);
+    QCOMPARE(pictures.size(), std::size_t{2});
+    const auto green = static_cast<std::uint8_t>(pictures.front()[pictures.front().size() - 2]);
+    QVERIFY2(green > 180, qPrintable(QString::number(green)));
 }
 
 void TestMovieFile::nothingStaysOfWhatIsNotFinished()
