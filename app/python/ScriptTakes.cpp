@@ -170,6 +170,36 @@ Result<Take> keepTake(ScriptSession& session, const std::string& name, const Kee
     return insertTake(script, std::move(take), "Keep take");
 }
 
+Result<Take> retake(ScriptScene& script, const ScriptRetake& wish, const KeepGoing& goesOn)
+{
+    const auto scene = script.snapshot().scene; // whoever listens to the progress may edit
+    const auto found = std::ranges::find(scene->takes, wish.take, &Take::name);
+    if (found == scene->takes.end()) {
+        return noTake(scene->takes, wish.take);
+    }
+    if (const auto free = checkNewName(scene->takes, wish.name); !free) {
+        return free.error();
+    }
+    if (auto alive = checkAlive(*scene, wish.order.people); !alive) {
+        return alive.error();
+    }
+    if (!found->motion) {
+        return Error{found->problem};
+    }
+    const auto motion = behavior::openTake(found->motion);
+    if (!motion) {
+        return motion.error();
+    }
+    auto kept = behavior::keepRetake(*scene, *found, motion.value(), wish.order, nullptr,
+                                     newTakesFolder(QString::fromStdString(script.path())), goesOn);
+    if (!kept) {
+        return kept.error();
+    }
+    Take take = std::move(kept).value().take;
+    take.name = wish.name;
+    return insertTake(script, std::move(take), "Retake");
+}
+
 Result<Take> addTake(ScriptScene& script, const std::string& path, const std::string& name,
                      TakeId id)
 {

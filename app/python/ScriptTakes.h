@@ -6,6 +6,7 @@
 
 #include "app/python/ScriptScene.h"
 #include "app/python/ScriptSession.h"
+#include "behavior/takes/RetakeKeeping.h"
 
 /// What scripts do with kept takes; each is a step. Errors name what there is.
 namespace crowd::app {
@@ -28,5 +29,15 @@ beginningInTake(const ScriptScene& script, const std::string& name, double secon
 /// What a session has recorded becomes a take of its scene. The name is no other's.
 [[nodiscard]] model::Result<model::Take> keepTake(ScriptSession& session, const std::string& name,
                                                   const model::KeepGoing& goesOn);
+
+/// Some people of a take do something again, everybody else what he did: that becomes another take.
+struct ScriptRetake
+{
+    std::string take;
+    std::string name; ///< no other's
+    behavior::RetakeOrder order;
+};
+[[nodiscard]] model::Result<model::Take> retake(ScriptScene& script, const ScriptRetake& wish,
+                                                const model::KeepGoing& goesOn);
 
 } // namespace crowd::app

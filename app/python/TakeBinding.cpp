@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/python/Binding.h"
+#include "app/python/ColumnArrays.h"
 #include "app/python/LongCall.h"
 #include "app/python/OutsidePython.h"
 #include "app/python/ScriptTakes.h"
@@ -52,11 +53,34 @@ std::string editsText(const py::object& given)
     }
 }
 
+Take retakeGiven(const ScenePtr& scene, const std::string& take, const std::string& name,
+                 const py::object& idsOrMask, double begin, double end, bool isDifferent,
+                 const LongCall::Listener& progress)
+{
+    std::vector<std::size_t> order;
+    const ScriptRetake wish{
+        take, name, {idsFrom(*scene, idsOrMask, order), begin, end, isDifferent}};
+    LongCall call(progress);
+    auto made = retake(*scene, wish, call.hook());
+    call.raise();
+    return valueOrRaise(std::move(made));
+}
+
+constexpr const char* kRetakeDoc =
+    "Some people of a take, by ids or a mask over everybody, are simulated again from begin to "
+    "end, seconds of the clock, by the rules and paths of now; everybody else does what he did, "
+    "and "
+    "they make way for him. They set out as they are then and come back to where they were where "
+    "more of the take follows. What comes of it is another take, one undo step; returns it. "
+    "different: dice fall otherwise than in the run. Raises Error where there is no such take, the "
+    "name is another's, nobody is chosen or the stretch lies outside. " CROWD_PROGRESS_DOC;
+
 constexpr const char* kEditDoc =
     "What is done to people of the take by hand, instead of what was done so far: a list "
     "of dicts, or JSON text. kind: \"shift\" (later: seconds), \"pace\" (pace: times as "
-    "fast; 0: they stand still), \"aside\" (aside: metres to the right) or \"hide\"; "
-    "people: their ids, ascending; begin and end: seconds of the clock, of all but \"shift\" "
+    "fast; 0: they stand still), \"aside\" (aside: metres to the right), \"swap\" (templates: "
+    "ids of those that they are of meanwhile) or \"hide\"; people: their ids, ascending; begin and "
+    "end: seconds of the clock, of all but \"shift\" "
     "(an end that is not after the beginning: to the end of the take); on: whether it counts. They "
     "survive it when people are taken again. on=False: none of them counts. Raises Error "
     "for what is none, and where there is no such take.";
@@ -120,6 +144,9 @@ void bindTakes(py::module_& module, SceneClass& scene)
                 valueOrRaise(setHandEdits(*self, name, editsText(edits), on));
             },
             py::arg("name"), py::arg("edits"), py::kw_only(), py::arg("on") = true, kEditDoc)
+        .def("retake", &retakeGiven, py::arg("take"), py::arg("name"), py::arg("ids"),
+             py::arg("begin"), py::arg("end"), py::kw_only(), py::arg("different") = false,
+             py::arg("progress") = py::none(), kRetakeDoc)
         .def(
             "remove_take",
             [](const ScenePtr& self, const std::string& name) {

@@ -1423,11 +1423,21 @@ class Scene:
     def edit_take(self, name: str, edits: Any, *, on: bool = ...) -> None:
         """What is done to people of the take by hand, instead of what was done so far: a list of
         dicts, or JSON text. kind: "shift" (later: seconds), "pace" (pace: times as fast; 0:
-        they stand still), "aside" (aside: metres to the right) or "hide"; people: their ids,
-        ascending; begin and end: seconds of the clock, of all but "shift" (an end that is not
-        after the beginning: to the end of the take); on: whether it counts. They survive it
-        when people are taken again. on=False: none of them counts. Raises Error for what is
-        none, and where there is no such take."""
+        they stand still), "aside" (aside: metres to the right), "swap" (templates: ids of
+        those that they are of meanwhile) or "hide"; people: their ids, ascending; begin and
+        end: seconds of the clock, of all but "shift" (an end that is not after the beginning:
+        to the end of the take); on: whether it counts. They survive it when people are taken
+        again. on=False: none of them counts. Raises Error for what is none, and where there
+        is no such take."""
+    def retake(self, take: str, name: str, ids: Any, begin: float, end: float, *, different: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> Take:
+        """Some people of a take, by ids or a mask over everybody, are simulated again from begin
+        to end, seconds of the clock, by the rules and paths of now; everybody else does what
+        he did, and they make way for him. They set out as they are then and come back to
+        where they were where more of the take follows. What comes of it is another take, one
+        undo step; returns it. different: dice fall otherwise than in the run. Raises Error
+        where there is no such take, the name is another's, nobody is chosen or the stretch
+        lies outside. progress: is called with the share that is done, 0 to 1, some times a
+        second; what it raises, as Ctrl+C, ends the call, which takes back what it did."""
     def remove_take(self, name: str) -> None:
         """The file with its motion stays."""
     @property

@@ -165,6 +165,37 @@ class Takes(unittest.TestCase):
         with self.assertRaisesRegex(crowdbrush.Error, "templates"):
             self.scene.edit_take("First", [{"kind": "swap", "templates": [-3]}])
 
+    def test_some_do_something_again(self):
+        self.keep()
+        self.scene.set_environment({
+            "places": [{"id": 1, "name": "end", "position": [-40, 0, 0], "radius": 4}],
+            "paths": [{"id": 1, "name": "way", "kind": "simple", "places": [1]}]})
+        again = self.scene.retake("First", "Second", [2], 0.3, 5.0)
+        self.assertEqual((again.name, again.people, again.shown), ("Second", 3, False))
+        self.assertAlmostEqual(again.end, 1.0, 2)
+
+        def places(take, time):
+            return crowdbrush.Session(self.scene, take=take, time=time).column("position")[:, 0]
+        self.assertEqual(places("Second", 0.25).tolist(), places("First", 0.25).tolist())
+        moved = places("Second", 1.0) - places("First", 1.0)
+        self.assertLess(moved[1], -0.3)
+        self.assertEqual((moved[0], moved[2]), (0.0, 0.0))
+        shares = []
+        self.scene.retake("Second", "Third", np.array([True, False, True]), 0.3, 0.8,
+                          different=True, progress=shares.append)
+        self.assertEqual(shares, sorted(shares))
+        self.assertTrue(self.scene.undo())
+        self.assertEqual([each.name for each in self.scene.takes], ["First", "Second"])
+        for wrong, what in ((("Nobody", "Other", [2], 0.0, 1.0), "there are: First"),
+                            (("First", "Second", [2], 0.0, 1.0), "already"),
+                            (("First", "Other", [], 0.0, 1.0), "Nobody is chosen"),
+                            (("First", "Other", [99], 0.0, 1.0), "99"),
+                            (("First", "Other", [2], 5.0, 9.0), "outside"),
+                            (("First", "Other", [2], float("nan"), 1.0), "stretch")):
+            with self.assertRaisesRegex(crowdbrush.Error, what):
+                self.scene.retake(*wrong)
+        self.assertEqual([each.name for each in self.scene.takes], ["First", "Second"])
+
     def test_what_cannot_be(self):
         session, _ = self.keep()
         with self.assertRaisesRegex(crowdbrush.Error, "already"):

@@ -7,8 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "behavior/session/SceneMotion.h"
-#include "behavior/takes/Retake.h"
+#include "behavior/takes/RetakeKeeping.h"
 #include "behavior/takes/TakeFile.h"
 #include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
@@ -108,14 +107,6 @@ bool TakeShelf::keep(const QString& name)
     return true;
 }
 
-/// What came of a retake, as a file.
-struct TakeShelf::Anew
-{
-    model::Take take;
-    std::size_t people = 0;
-    float furthest = 0.0F;
-};
-
 bool TakeShelf::retake(std::vector<model::IndividualId> ids, double begin, double end,
                        bool isDifferent)
 {
@@ -125,41 +116,22 @@ bool TakeShelf::retake(std::vector<model::IndividualId> ids, double begin, doubl
     }
     m_name = freeTakeName(m_document.scene());
     m_share = 0.0F;
-    behavior::RetakeWish wish{std::move(ids), begin, end,
-                              isDifferent ? model::freeTakeId(m_document.scene().takes) : 0,
-                              shown->areEditsOn ? shown->edits : std::vector<model::HandEdit>()};
     m_task.start(
-        [scene = m_document.scene(), motion = m_session.motion(), wish = std::move(wish),
-         surface = m_session.surface(), edits = shown->edits, areEditsOn = shown->areEditsOn,
-         folder = folder()](const TaskReport& report) -> model::Result<Anew> {
-            model::Message problem;
-            const auto ground = surface ? surface : behavior::surfaceOf(scene, problem);
-            const auto part = [&report](double from, double length) {
-                return [&report, from, length](double share) {
-                    return report(QString(), static_cast<float>(from + length * share));
-                };
-            };
-            auto made = behavior::retake(scene, motion, wish, ground, part(0.0, 0.7));
-            if (!made) {
-                return made.error();
-            }
-            auto taken = behavior::writeTake(*made.value().motion, folder, part(0.7, 0.3));
-            if (!taken) {
-                return taken.error();
-            }
-            Anew anew{std::move(taken).value(), made.value().people, made.value().furthestFromHome};
-            anew.take.edits = edits; // they survive it
-            anew.take.areEditsOn = areEditsOn;
-            return anew;
+        [scene = m_document.scene(), take = *shown, motion = m_session.motion(),
+         order = behavior::RetakeOrder{std::move(ids), begin, end, isDifferent},
+         surface = m_session.surface(), folder = folder()](const TaskReport& report) {
+            return behavior::keepRetake(
+                scene, take, motion, order, surface, folder,
+                [&report](double share) { return report(QString(), static_cast<float>(share)); });
         },
-        [this](const model::Result<Anew>& made) {
+        [this](const model::Result<behavior::KeptRetake>& made) {
             if (!made) {
                 Q_EMIT failed(model::translated(made.error().said));
                 return;
             }
             const auto people = static_cast<int>(made.value().people);
             if (add(made.value().take, tr("Retake %n character(s)", nullptr, people), true)) {
-                Q_EMIT retaken(m_name, people, static_cast<double>(made.value().furthest));
+                Q_EMIT retaken(m_name, people, static_cast<double>(made.value().furthestFromHome));
             }
         });
     Q_EMIT keeping();

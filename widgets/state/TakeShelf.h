@@ -74,7 +74,6 @@ Q_SIGNALS:
     void ghostChanged();
 
 private:
-    struct Anew;
     [[nodiscard]] QString folder() const;
     bool add(model::Take take, const QString& text, bool isShown);
     void followScene(const model::SceneChange& change);
