@@ -19,7 +19,7 @@
 #include "model/states/StateKeeping.h"
 #include "widgets/state/Invalidation.h"
 #include "widgets/state/SceneChanges.h"
-#include "widgets/state/SurfaceBuilder.h"
+#include "widgets/state/SceneSurface.h"
 #include "widgets/state/TakePlayback.h"
 
 namespace crowd::widgets {
@@ -30,43 +30,8 @@ constexpr double kAheadSeconds = 0.1;  ///< at speed 1: edits and events are hea
 constexpr double kFurthestAhead = 4.0; ///< however long a picture takes
 constexpr double kLongestSkip = 0.25;  ///< by which time may go on at an edit
 constexpr double kNoEnd = 1e300;       ///< seconds
-constexpr int kProgressMs = 150;
-constexpr int kWaysMs = 300; ///< a place that is being dragged comes to rest first
-
-/// Whether somebody may go somewhere, so that it matters where one can walk.
-bool hasWalks(const model::Scene& scene)
-{
-    const auto followed = scene.population.column(model::columns::path);
-    if (std::ranges::any_of(followed, [](model::PathId path) { return path != 0; })) {
-        return true;
-    }
-    return std::ranges::any_of(scene.rules, [](const model::Rule& rule) {
-        return std::ranges::any_of(rule.actions, [](const model::Action& action) {
-            const auto* leave = action.as<model::actions::LeaveScene>();
-            return action.kind().text.isWalk && (leave == nullptr || leave->place != 0);
-        });
-    });
-}
-
-/// Whether it is more than open ground.
-bool isGroundOfInterest(const model::Scene& scene)
-{
-    return std::ranges::any_of(scene.stages,
-                               [](const auto& stage) { return stage.asset != nullptr; }) ||
-           std::ranges::any_of(scene.places, [](const model::Place& place) {
-               return model::changesWays(place.role) || place.role == model::PlaceRole::Obstacle;
-           });
-}
 
 } // namespace
-
-/// The surface in use and the one that is being built.
-struct SessionControl::Surface
-{
-    SurfacePtr current;
-    behavior::SurfacePlan plan; ///< of the one that is there or being built
-    SurfaceBuilder builder;
-};
 
 /// People who change over to what an edit has made of them: until the session's steps know of it,
 /// they are shown as they were.
@@ -92,16 +57,12 @@ SessionControl::SessionControl(model::SceneDocument& document, Transport& transp
               },
               Qt::QueuedConnection);
       })),
-      m_surface(std::make_unique<Surface>())
+      m_surface(std::make_unique<SceneSurface>(document))
 {
     m_hand.setSingleShot(true);
     m_hand.setInterval(0);
     connect(&m_hand, &QTimer::timeout, this, &SessionControl::hand);
-    m_progress.setInterval(kProgressMs);
-    connect(&m_progress, &QTimer::timeout, this, &SessionControl::surfaceChanged);
-    m_ways.setSingleShot(true);
-    m_ways.setInterval(kWaysMs);
-    connect(&m_ways, &QTimer::timeout, this, &SessionControl::followWays);
+    followSurface();
     connect(&document, &model::SceneDocument::changed, this, &SessionControl::followScene);
     connect(&document, &model::SceneDocument::changingOver, this, &SessionControl::changeOver);
 }
@@ -111,6 +72,21 @@ SessionControl::~SessionControl()
     m_player->stop();
 }
 
+void SessionControl::followSurface()
+{
+    connect(m_surface.get(), &SceneSurface::used, this, [this] {
+        if (isRunning()) {
+            m_player->setSurface(m_surface->current());
+        }
+    });
+    connect(m_surface.get(), &SceneSurface::changed, this, &SessionControl::surfaceChanged);
+    connect(m_surface.get(), &SceneSurface::found, this, [this] {
+        if (std::exchange(m_isTakeWanted, false)) {
+            beginInTake();
+        }
+    });
+}
+
 bool SessionControl::isRunning() const
 {
     return m_player->isRunning();
@@ -118,17 +94,13 @@ bool SessionControl::isRunning() const
 
 void SessionControl::followScene(const model::SceneChange& change)
 {
-    visitChange(
-        change, [this](const model::StagesChanged&) { forgetSurface(); },
-        [this](const model::SceneReplaced&) {
-            forgetSurface();
-            m_surface->plan = {}; // it holds the stages
-            drop();
-            m_liveSeconds = m_transport.seconds();
-            m_recorder.forget();
-            m_firings.clear();
-            m_take.reset();
-        });
+    visitChange(change, [this](const model::SceneReplaced&) {
+        drop();
+        m_liveSeconds = m_transport.seconds();
+        m_recorder.forget();
+        m_firings.clear();
+        m_take.reset();
+    });
     if (isOneOf<model::TakesChanged, model::SceneReplaced>(change)) {
         followTakes();
     }
@@ -143,12 +115,9 @@ void SessionControl::followScene(const model::SceneChange& change)
         m_hand.start();
         invalidate(change);
     }
-    visitChange(change, [this](const model::PathsChanged&) {
-        m_ways.start();
-        if (!isRunning()) {
-            (void)isReady(); // it will be wanted soon
-        }
-    });
+    if (isOneOf<model::PathsChanged>(change) && !isRunning()) {
+        (void)m_surface->isReady(); // it will be wanted soon
+    }
 }
 
 /// What comes after an edit in time; nothing before.
@@ -202,7 +171,7 @@ bool SessionControl::canTakeFromHere() const
 void SessionControl::takeFromHere()
 {
     if (m_take) {
-        m_isTakeWanted = !isReady();
+        m_isTakeWanted = !m_surface->isReady();
         if (!m_isTakeWanted) {
             beginInTake();
         }
@@ -292,30 +261,10 @@ double SessionControl::takenShare() const
     return m_player->takenShare().value_or(-1.0);
 }
 
-/// It is of other stages.
-void SessionControl::forgetSurface()
-{
-    m_surface->builder.cancel();
-    m_surface->current.reset();
-    m_isSurfaceStale = true;
-    m_progress.stop();
-    Q_EMIT surfaceChanged();
-}
-
-/// Areas or the settings of the surface are others now.
-void SessionControl::followWays()
-{
-    if (!m_isSurfaceStale &&
-        !behavior::SurfacePlan::of(m_document.scene()).hasSameWays(m_surface->plan)) {
-        m_isSurfaceStale = true;
-        (void)isReady();
-    }
-}
-
 /// What the scene has no behaviour for, a session is begun for: it lets people change over.
 bool SessionControl::startForRecall()
 {
-    if (!isRunning() && !m_take && isReady()) {
+    if (!isRunning() && !m_take && m_surface->isReady()) {
         m_isForRecall = !m_document.scene().hasBehaviour();
         start();
     }
@@ -392,7 +341,7 @@ void SessionControl::hand()
     if (!isRunning()) {
         return;
     }
-    (void)isReady(); // the surface may be wanted from now on
+    (void)m_surface->isReady(); // the surface may be wanted from now on
     if (m_changing && m_changing->version == 0) {
         m_changing->version = m_document.scene().population.version();
         m_player->adopt(m_document.scene(), m_changing->change);
@@ -526,80 +475,31 @@ void SessionControl::beginTakeAgain()
     }
 }
 
-bool SessionControl::isReady()
-{
-    const model::Scene& scene = m_document.scene();
-    const bool isNeeded = hasWalks(scene) && isGroundOfInterest(scene);
-    if (m_isSurfaceStale && isNeeded) {
-        buildSurface();
-    } else if (m_isSurfaceStale && m_surface->current && !isGroundOfInterest(scene)) {
-        m_surface->builder.cancel();
-        m_surface->current.reset(); // the last area is gone, and there is no stage
-        m_surface->plan = {};
-        m_isSurfaceStale = false;
-        if (isRunning()) {
-            m_player->setSurface(nullptr);
-        }
-        Q_EMIT surfaceChanged();
-    }
-    return !isNeeded || !m_surface->builder.isBuilding();
-}
-
-void SessionControl::buildSurface()
-{
-    m_isSurfaceStale = false;
-    m_surfaceProblem = {};
-    m_surface->plan = behavior::SurfacePlan::of(m_document.scene());
-    m_surface->builder.start(
-        m_surface->plan, [this](const model::Result<SurfacePtr>& built) { takeSurface(built); });
-    m_progress.start();
-    Q_EMIT surfaceChanged();
-}
-
-void SessionControl::takeSurface(const model::Result<SurfacePtr>& built)
-{
-    if (built) {
-        m_surface->current = built.value();
-    } else {
-        m_surfaceProblem = built.error().said;
-    }
-    m_progress.stop();
-    if (isRunning()) {
-        m_player->setSurface(m_surface->current);
-    }
-    Q_EMIT surfaceChanged();
-    if (std::exchange(m_isTakeWanted, false)) {
-        beginInTake();
-    }
-}
-
 std::shared_ptr<const behavior::WalkSurface> SessionControl::surface() const
 {
-    const bool isKnown = !m_isSurfaceStale && !m_surface->builder.isBuilding();
-    return isKnown ? m_surface->current : nullptr;
+    return m_surface->known();
 }
 
 double SessionControl::surfaceProgress() const
 {
-    const SurfaceBuilder& builder = m_surface->builder;
-    return builder.isBuilding() ? static_cast<double>(builder.progress()) : -1.0;
+    return m_surface->progress();
 }
 
 QString SessionControl::surfaceProblem() const
 {
-    return m_surfaceProblem.empty() ? QString() : model::translated(m_surfaceProblem);
+    return m_surface->problem().empty() ? QString() : model::translated(m_surface->problem());
 }
 
 std::size_t SessionControl::surfacePolygons() const
 {
-    return m_surface->current ? m_surface->current->polygons() : 0;
+    return m_surface->polygons();
 }
 
 /// People begin as the scene has them.
 void SessionControl::start()
 {
     noteStart();
-    m_player->start(*m_handed, m_startSeconds, m_surface->current);
+    m_player->start(*m_handed, m_startSeconds, m_surface->current());
     followProblems();
     Q_EMIT stateChanged();
 }
@@ -609,7 +509,7 @@ void SessionControl::startFrom(behavior::RunBeginning beginning)
 {
     m_transport.setSeconds(beginning.now->seconds);
     noteStart();
-    m_player->start(*m_handed, std::move(beginning), m_surface->current);
+    m_player->start(*m_handed, std::move(beginning), m_surface->current());
     followProblems();
     Q_EMIT stateChanged();
 }
@@ -647,7 +547,8 @@ void SessionControl::advance(double realSeconds)
         m_isBehaviourStale = false;
         m_hasBehaviour = m_document.scene().hasBehaviour();
     }
-    if (!isRunning() && !m_take && m_transport.isPlaying() && m_hasBehaviour && isReady()) {
+    if (!isRunning() && !m_take && m_transport.isPlaying() && m_hasBehaviour &&
+        m_surface->isReady()) {
         start();
     }
     beginTakeAgain();
@@ -706,7 +607,7 @@ void SessionControl::takeFirings()
 void SessionControl::stepOnce()
 {
     m_transport.setPlaying(false);
-    if (!isRunning() && !m_take && m_document.scene().hasBehaviour() && isReady()) {
+    if (!isRunning() && !m_take && m_document.scene().hasBehaviour() && m_surface->isReady()) {
         start();
     }
     const double rate = stepRate();

@@ -35,6 +35,7 @@ struct ChangeOver;
 
 namespace crowd::widgets {
 
+class SceneSurface;
 class TakePlayback;
 
 /// Play, as the artist knows it: while the scene has behaviour, playing runs a session that starts
@@ -149,7 +150,6 @@ Q_SIGNALS:
     void takenOutOf(const QString& take, double seconds);
 
 private:
-    struct Surface;
     struct ChangingPeople;
 
     void followScene(const model::SceneChange& change);
@@ -178,11 +178,7 @@ private:
     void startFrom(behavior::RunBeginning beginning);
     void noteStart();
     void drop();
-    [[nodiscard]] bool isReady();
-    void buildSurface();
-    void takeSurface(const model::Result<std::shared_ptr<const behavior::WalkSurface>>& built);
-    void followWays();
-    void forgetSurface();
+    void followSurface();
     [[nodiscard]] double stepRate() const;
     void followProblems();
     [[nodiscard]] bool beginsRun(const model::Mark& mark) const;
@@ -193,12 +189,9 @@ private:
     std::unique_ptr<behavior::SessionPlayer> m_player;
     std::unique_ptr<TakePlayback> m_take; ///< null: none is shown
     model::Message m_takeProblem;
-    std::unique_ptr<Surface> m_surface;
-    model::Message m_surfaceProblem;
+    std::unique_ptr<SceneSurface> m_surface;
     std::vector<behavior::Problem> m_problems;
     QTimer m_hand;                       ///< the edits of one stroke's moment go together
-    QTimer m_progress;                   ///< while the surface is built
-    QTimer m_ways;                       ///< until areas that are being changed come to rest
     double m_startSeconds = 0.0;         ///< of the transport, when the session began
     double m_liveSeconds = 0.0;          ///< the latest that has been shown
     std::uint32_t m_stepsPerSecond = 30; ///< of the session
@@ -211,7 +204,6 @@ private:
     bool m_isForRecall = false; ///< the scene has no behaviour: the session began for a recall
     bool m_isKeepingPose = false;
     bool m_isTakeWanted = false; ///< as soon as the surface is there: see takeFromHere()
-    bool m_isSurfaceStale = true;
     bool m_hasBehaviour = false;
     bool m_isBehaviourStale = true;
     // The frame made last, for the next who asks.
