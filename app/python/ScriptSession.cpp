@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "behavior/session/MotionReader.h"
 #include "behavior/session/SceneMotion.h"
 
 namespace crowd::app {
@@ -40,23 +39,20 @@ bool ScriptSession::isUpToDate(std::uint64_t revision) const
 
 void ScriptSession::begin(const Scene& scene)
 {
-    m_session = std::make_unique<behavior::Session>(scene);
+    m_run = std::make_unique<behavior::RecordedSession>(std::make_unique<behavior::Session>(scene),
+                                                        m_motion);
     m_stepsPerSecond = scene.stepsPerSecond;
-    if (m_motion && !m_beginning) {
-        m_motion->add(m_session->pose());
-    }
 }
 
 /// Of a take, whose steps until then are kept with those that follow.
 void ScriptSession::beginFrom(const behavior::RunBeginning& beginning)
 {
-    m_session->beginFrom(*beginning.before, *beginning.now);
+    session().beginFrom(*beginning.before, *beginning.now);
     if (m_motion) {
         beginning.earlier([this](const behavior::SessionPosePtr& pose) {
             m_motion->add(pose);
             return true;
         });
-        m_motion->add(m_session->pose());
     }
 }
 
@@ -68,12 +64,12 @@ void ScriptSession::follow(const ScriptScene::Snapshot& now, const std::atomic<b
         return;
     }
     m_isComplete = false;
-    if (!m_session) {
+    if (!m_run) {
         begin(scene);
     } else if (now.change && now.changeRevision >= m_revision) {
-        m_session->adopt(scene, *now.change);
+        session().adopt(scene, *now.change);
     } else {
-        m_session->adopt(scene);
+        session().adopt(scene);
     }
     if (scene.hasBehaviour()) {
         behavior::SurfacePlan plan = behavior::SurfacePlan::of(scene);
@@ -83,7 +79,7 @@ void ScriptSession::follow(const ScriptScene::Snapshot& now, const std::atomic<b
             if (isCancelled) {
                 return;
             }
-            m_session->setSurface(std::move(surface));
+            session().setSurface(std::move(surface));
             m_plan = std::move(plan);
         }
     }
@@ -98,43 +94,42 @@ void ScriptSession::follow(const ScriptScene::Snapshot& now, const std::atomic<b
 void ScriptSession::step()
 {
     const std::scoped_lock lock(m_mutex);
-    m_session->step();
+    if (m_motion && session().steps() == 0) {
+        m_run->take(); // as it has begun
+    }
+    m_run->step();
     if (m_motion) {
-        m_motion->add(m_session->pose());
+        m_run->take();
+        m_run->keep();
     }
 }
 
 std::uint64_t ScriptSession::steps() const
 {
     const std::scoped_lock lock(m_mutex);
-    return m_session->steps();
+    return session().steps();
 }
 
 double ScriptSession::seconds() const
 {
     const std::scoped_lock lock(m_mutex);
-    return m_session->seconds();
+    return session().seconds();
 }
 
 CrowdFramePtr ScriptSession::frame() const
 {
     const std::scoped_lock lock(m_mutex);
-    return m_session->frame();
+    return session().frame();
 }
 
 CrowdFramePtr ScriptSession::frameBefore() const
 {
     const std::scoped_lock lock(m_mutex);
-    if (!m_motion || m_session->steps() == 0) {
-        return nullptr;
-    }
-    constexpr double kStepsBefore = 0.5; // the step is the last that is not later
-    const double seconds = m_session->seconds() - kStepsBefore / m_stepsPerSecond;
-    const behavior::SessionPosePtr before = behavior::MotionReader(m_motion).around(seconds).first;
+    const behavior::SessionPosePtr& before = m_run->before();
     if (!before) {
         return nullptr;
     }
-    auto frame = std::make_shared<CrowdFrame>(*m_session->frame());
+    auto frame = std::make_shared<CrowdFrame>(*session().frame());
     frame->seconds = before->seconds;
     behavior::applyPose(*before, *before, *frame);
     return frame;
@@ -155,45 +150,45 @@ std::vector<std::uint8_t> ScriptSession::present() const
 std::vector<PathId> ScriptSession::paths() const
 {
     const std::scoped_lock lock(m_mutex);
-    return m_session->paths();
+    return session().paths();
 }
 
 StateRecall ScriptSession::recall(const ChangeOver& change)
 {
     const std::scoped_lock lock(m_mutex);
-    return m_session->recall(change);
+    return session().recall(change);
 }
 
 void ScriptSession::send(const std::string& event, float number,
                          const std::vector<IndividualId>& ids)
 {
     const std::scoped_lock lock(m_mutex);
-    m_session->send(event, number, ids);
+    session().send(event, number, ids);
 }
 
 void ScriptSession::sendTagged(const std::string& event, float number, std::uint8_t tag)
 {
     const std::scoped_lock lock(m_mutex);
-    m_session->sendTagged(event, number, tag);
+    session().sendTagged(event, number, tag);
 }
 
 std::map<RuleId, std::uint64_t> ScriptSession::fired() const
 {
     const std::scoped_lock lock(m_mutex);
-    return m_session->rules().counts();
+    return session().rules().counts();
 }
 
 std::vector<behavior::RuleFired> ScriptSession::takeLog()
 {
     const std::scoped_lock lock(m_mutex);
-    return m_session->rules().takeLog();
+    return session().rules().takeLog();
 }
 
 std::vector<std::string> ScriptSession::problems() const
 {
     const std::scoped_lock lock(m_mutex);
     std::vector<std::string> problems;
-    for (const behavior::Problem& problem : m_session->problems()) {
+    for (const behavior::Problem& problem : session().problems()) {
         problems.push_back(problem.text.english());
     }
     if (!m_surfaceProblem.empty()) {
@@ -202,10 +197,19 @@ std::vector<std::string> ScriptSession::problems() const
     return problems;
 }
 
+std::shared_ptr<behavior::MotionCache> ScriptSession::motion()
+{
+    const std::scoped_lock lock(m_mutex);
+    if (m_motion) {
+        m_run->take();
+    }
+    return m_run->wholeMotion();
+}
+
 ScriptSession::Pose ScriptSession::pose() const
 {
     const std::scoped_lock lock(m_mutex); // both of the same step
-    return {m_session->frame(), m_session->pose()};
+    return {session().frame(), session().pose()};
 }
 
 void ScriptSession::adoptKept(const ScriptScene::Snapshot& kept)
@@ -213,7 +217,7 @@ void ScriptSession::adoptKept(const ScriptScene::Snapshot& kept)
     const std::scoped_lock lock(m_mutex);
     if (kept.revision > m_revision) {
         m_revision = kept.revision;
-        m_session->adopt(*kept.scene, true);
+        session().adopt(*kept.scene, true);
     }
 }
 

@@ -11,9 +11,8 @@
 #include <vector>
 
 #include "app/python/ScriptScene.h"
-#include "behavior/session/MotionCache.h"
+#include "behavior/session/RecordedSession.h"
 #include "behavior/session/RunBeginning.h"
-#include "behavior/session/Session.h"
 #include "behavior/surface/SurfacePlan.h"
 
 namespace crowd::app {
@@ -68,13 +67,14 @@ public:
     };
     [[nodiscard]] Pose pose() const;
     /// Its steps, for readers on any thread; null: it does not record.
-    [[nodiscard]] const std::shared_ptr<behavior::MotionCache>& motion() const { return m_motion; }
+    [[nodiscard]] std::shared_ptr<behavior::MotionCache> motion();
     /// Where people are in the scene is where they are here.
     void adoptKept(const ScriptScene::Snapshot& kept);
 
 private:
     void begin(const model::Scene& scene);
     void beginFrom(const behavior::RunBeginning& beginning);
+    [[nodiscard]] behavior::Session& session() const { return m_run->session(); }
 
     std::shared_ptr<ScriptScene> m_scene;
     std::optional<behavior::RunBeginning> m_beginning; ///< until it has begun
@@ -84,8 +84,8 @@ private:
     std::uint32_t m_stepsPerSecond = 30;
     behavior::SurfacePlan m_plan; ///< of the surface in use
     model::Message m_surfaceProblem;
-    std::unique_ptr<behavior::Session> m_session;
-    std::shared_ptr<behavior::MotionCache> m_motion; ///< null: it does not record
+    std::shared_ptr<behavior::MotionCache> m_motion;  ///< null: it does not record
+    std::unique_ptr<behavior::RecordedSession> m_run; ///< null: nothing was followed yet
 };
 
 } // namespace crowd::app

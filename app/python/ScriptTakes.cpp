@@ -156,7 +156,7 @@ Result<Take> keepTake(ScriptSession& session, const std::string& name, const Kee
     if (const auto free = checkNewName(scene->takes, name); !free) {
         return free.error();
     }
-    const auto& motion = session.motion();
+    const auto motion = session.motion();
     if (!motion) {
         return Error{"The session does not record: make it as Session(scene, record=True)."};
     }

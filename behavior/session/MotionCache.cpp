@@ -108,7 +108,7 @@ std::vector<std::pair<double, double>> MotionCache::pieces() const
 void MotionCache::fit()
 {
     for (std::size_t i = 0; i + 1 < m_pieces.size() && m_memory > m_budget.memoryBytes; ++i) {
-        if (!m_pieces[i].onDisk) {
+        if (!m_pieces[i].onDisk && m_budget.diskBytes > 0) {
             spill(m_pieces[i]);
         }
     }

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "behavior/session/SceneMotion.h"
 
-#include <utility>
-
 #include "behavior/surface/WalkSurface.h"
 #include "behavior/takes/EditedTake.h"
 
 namespace crowd::behavior {
+
+namespace {
+
+constexpr double kSlack = 1e-9; ///< seconds
+
+} // namespace
 
 std::shared_ptr<const WalkSurface> surfaceOf(const model::Scene& scene, model::Message& problem,
                                              const std::atomic<bool>* isCancelled)
@@ -56,12 +60,37 @@ bool SceneMotion::openShownTake()
 
 void SceneMotion::begin()
 {
-    m_session = std::make_unique<Session>(m_scene);
+    auto session = std::make_unique<Session>(m_scene);
     if (m_surface) {
-        m_session->setSurface(m_surface);
+        session->setSurface(m_surface);
     }
-    m_after = m_session->pose();
-    m_before = m_after;
+    MotionBudget budget; // pictures are asked for forwards, mostly
+    budget.diskBytes = 0;
+    m_run = std::make_unique<RecordedSession>(std::move(session),
+                                              std::make_shared<MotionCache>(budget));
+    m_run->take();
+}
+
+/// Steps of the run; null: cancelled.
+std::pair<SessionPosePtr, SessionPosePtr>
+SceneMotion::around(double seconds, const std::atomic<bool>* isCancelled, const Progress& notify)
+{
+    if (auto known = m_run->around(seconds); known.first && seconds < m_run->last()->seconds) {
+        return known;
+    }
+    if (seconds < m_run->last()->seconds) {
+        begin(); // all that was kept has no room
+    }
+    while (m_run->last()->seconds < seconds - kSlack) {
+        if (isCancelled != nullptr && *isCancelled) {
+            return {};
+        }
+        m_run->advance();
+        if (notify) {
+            notify(m_run->last()->seconds);
+        }
+    }
+    return m_run->around(seconds);
 }
 
 model::CrowdFramePtr SceneMotion::at(double seconds, const std::atomic<bool>* isCancelled,
@@ -79,21 +108,12 @@ model::CrowdFramePtr SceneMotion::at(double seconds, const std::atomic<bool>* is
                                               "damaged. Fetch it from a copy."),
                 model::shownTake(m_scene.takes)->name, seconds);
         }
-    } else if (m_session) {
-        if (seconds < m_before->seconds) {
-            begin();
+    } else if (m_run) {
+        const auto [before, after] = around(seconds, isCancelled, notify);
+        if (!before) {
+            return nullptr;
         }
-        while (m_after->seconds < seconds - 1e-9) {
-            if (isCancelled != nullptr && *isCancelled) {
-                return nullptr;
-            }
-            m_session->step();
-            m_before = std::exchange(m_after, m_session->pose());
-            if (notify) {
-                notify(m_after->seconds);
-            }
-        }
-        applyPose(*m_before, *m_after, frame);
+        applyPose(*before, *after, frame);
     }
     return std::make_shared<const model::CrowdFrame>(std::move(frame));
 }
@@ -101,8 +121,8 @@ model::CrowdFramePtr SceneMotion::at(double seconds, const std::atomic<bool>* is
 std::vector<std::string> SceneMotion::problems() const
 {
     std::vector<std::string> problems;
-    if (m_session) {
-        for (const Problem& problem : m_session->problems()) {
+    if (m_run) {
+        for (const Problem& problem : m_run->session().problems()) {
             problems.push_back(problem.text.english());
         }
     }

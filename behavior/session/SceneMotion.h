@@ -5,8 +5,10 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "behavior/session/Session.h"
+#include "behavior/session/RecordedSession.h"
 
 namespace crowd::behavior {
 
@@ -22,8 +24,9 @@ surfaceOf(const model::Scene& scene, model::Message& problem,
 inline constexpr double kMostSceneSeconds = 604'800.0;
 
 /// What a scene looks like at a time, without a window: as in the take that it shows, simulated
-/// from 0 where it has behaviour, else the clips' clock alone. Times that rise are quick; an
-/// earlier one begins anew. One thread.
+/// from 0 where it has behaviour, else the clips' clock alone. What has been simulated is kept as
+/// in the editor, and the same bit for bit when it is asked for again; where that is no longer
+/// known it begins anew. One thread.
 class SceneMotion
 {
 public:
@@ -43,6 +46,8 @@ public:
 private:
     void begin();
     [[nodiscard]] bool openShownTake();
+    [[nodiscard]] std::pair<SessionPosePtr, SessionPosePtr>
+    around(double seconds, const std::atomic<bool>* isCancelled, const Progress& notify);
 
     const model::Scene& m_scene;
     std::shared_ptr<const std::vector<model::TemplateEntry>> m_templates;
@@ -50,9 +55,7 @@ private:
     model::Message m_surfaceProblem;
     model::Message m_takeProblem;
     std::unique_ptr<EditedTake> m_take; ///< null: none is shown
-    std::unique_ptr<Session> m_session;
-    SessionPosePtr m_before;
-    SessionPosePtr m_after;
+    std::unique_ptr<RecordedSession> m_run;
 };
 
 } // namespace crowd::behavior

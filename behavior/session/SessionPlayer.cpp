@@ -267,10 +267,10 @@ SessionPlayer::Report SessionPlayer::report() const
 void SessionPlayer::askTally()
 {
     give([](Run& run) {
-        if (!run.session) {
+        if (!run.recorded) {
             return; // it is asked anew
         }
-        SessionTally tally = run.session->tally();
+        SessionTally tally = run.recorded->session().tally();
         const std::scoped_lock lock(run.mutex);
         run.tally = std::move(tally);
     });

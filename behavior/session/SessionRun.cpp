@@ -32,16 +32,17 @@ SessionPlayer::Run::Run(const model::Scene& scene, RunBeginning beginning,
 SessionPlayer::Run::Run(std::unique_ptr<RunJournal> told, double seconds)
     : journal(std::move(told)), startSeconds(seconds), wanted(seconds)
 {
-    session = journal->begin();
-    stepsPerSecond = session->stepsPerSecond();
-    poses = {session->pose()};
-    report = {session->problems(), {}};
-    tally = session->tally();
+    recorded = std::make_unique<RecordedSession>(journal->begin(), cache);
+    const Session& session = recorded->session();
+    stepsPerSecond = session.stepsPerSecond();
+    poses = {recorded->take()};
+    report = {session.problems(), {}};
+    tally = session.tally();
 }
 
 bool SessionPlayer::Run::isStepWanted() const
 {
-    return session && session->seconds() + kTimeSlack < wanted;
+    return recorded && recorded->session().seconds() + kTimeSlack < wanted;
 }
 
 /// A cache that has what was shown before the run began, if anything was.
@@ -78,6 +79,7 @@ void SessionPlayer::Run::copyEarlier()
     }
     auto kept = cacheAfterEarlier();
     auto next = std::make_shared<MotionReader>(kept);
+    recorded->keepAfter(kept);
     {
         const std::scoped_lock lock(mutex);
         cache = std::move(kept);
@@ -114,15 +116,13 @@ void SessionPlayer::Run::serve()
             isWanted = isStepWanted();
         }
         if (isWanted) {
-            session->step();
-            steps = session->steps();
+            recorded->step();
+            steps = recorded->session().steps();
         }
-        if (session && !token.stop_requested()) {
-            const SessionPosePtr before = publish();
+        if (recorded && !token.stop_requested()) {
+            publish();
             published();
-            if (before) {
-                cache->add(before); // nobody waits for that
-            }
+            recorded->keep(); // nobody waits for that
         }
     }
 }
@@ -130,7 +130,7 @@ void SessionPlayer::Run::serve()
 /// Whoever ended it may not ask again for long: it holds the scene's characters and stages.
 void SessionPlayer::Run::release()
 {
-    session.reset();
+    recorded.reset();
     journal.reset();
     earlier = nullptr;
     surface.reset();
@@ -144,15 +144,15 @@ void SessionPlayer::Run::release()
 /// Tells the session something that is to be told once more where it is taken from later on.
 void SessionPlayer::Run::act(RunJournal::Act act, const model::Scene* scene)
 {
-    if (session) {
-        act(*session);
+    if (recorded) {
+        act(recorded->session());
     }
     if (scene != nullptr) {
         journal->add(steps, std::move(act), *scene);
     } else {
         journal->add(steps, std::move(act));
     }
-    if (session) { // else that is made of it
+    if (recorded) { // else that is made of it
         journal->limit();
     }
     const std::scoped_lock lock(mutex);
@@ -173,21 +173,22 @@ bool SessionPlayer::Run::isGivenUp(const Take& wish) const
 }
 
 /// False: given up.
-bool SessionPlayer::Run::replay(Session& again, MotionCache& kept, const Take& wish)
+bool SessionPlayer::Run::replay(RecordedSession& again, const Take& wish)
 {
+    Session& session = again.session();
     while (!isGivenUp(wish)) {
-        journal->tell(again);
-        (void)again.rules().takeLog(); // known already
-        if (again.steps() >= wish.step) {
+        journal->tell(session);
+        (void)session.rules().takeLog(); // known already
+        again.take();
+        if (session.steps() >= wish.step) {
             return true;
         }
-        kept.add(again.pose());
         again.step();
         {
             const std::scoped_lock lock(mutex);
-            taking->share = static_cast<double>(again.steps()) / static_cast<double>(wish.step);
+            taking->share = static_cast<double>(session.steps()) / static_cast<double>(wish.step);
         }
-        if (again.steps() % kStepsSaid == 0) {
+        if (session.steps() % kStepsSaid == 0) {
             published();
         }
     }
@@ -202,56 +203,54 @@ void SessionPlayer::Run::take(const Take& wish)
         return;
     }
     journal->forgetFrom(wish.forgottenFrom);
-    session.reset();
+    recorded.reset();
     steps = wish.step;
     std::unique_ptr<Session> again = isGivenUp(wish) ? nullptr : journal->begin();
     if (earlier) { // they are copied; whoever had them may be gone
         earlier = stepsBefore(cache, startSeconds - kTimeSlack);
     }
-    auto kept = cacheAfterEarlier();
-    if (again && replay(*again, *kept, wish)) {
-        goOnWith(std::move(again), std::move(kept));
+    auto kept =
+        again ? std::make_unique<RecordedSession>(std::move(again), cacheAfterEarlier()) : nullptr;
+    if (kept && replay(*kept, wish)) {
+        goOnWith(std::move(kept));
         if (surfaceStep && *surfaceStep >= wish.forgottenFrom) {
             walkOn(std::exchange(surface, nullptr)); // what is known of the ground stays known
         }
     }
 }
 
-void SessionPlayer::Run::goOnWith(std::unique_ptr<Session> again, std::shared_ptr<MotionCache> kept)
+void SessionPlayer::Run::goOnWith(std::unique_ptr<RecordedSession> again)
 {
-    session = std::move(again);
-    auto next = std::make_shared<MotionReader>(kept);
-    SessionPosePtr pose = session->pose();
-    const double since = session->seconds() - startSeconds + kTimeSlack;
+    recorded = std::move(again);
+    recorded->keep();
+    auto next = std::make_shared<MotionReader>(recorded->motion());
+    const double since = recorded->session().seconds() - startSeconds + kTimeSlack;
     const std::scoped_lock lock(mutex);
-    cache = std::move(kept);
+    cache = recorded->motion();
     reader = std::move(next);
-    poses = {std::move(pose)};
+    poses = {recorded->last()};
     std::erase_if(log, [since](const RuleFired& fired) { return fired.seconds > since; });
     taking.reset();
 }
 
-/// The step before, where this is another one: nothing changes it any more.
-SessionPosePtr SessionPlayer::Run::publish()
+void SessionPlayer::Run::publish()
 {
-    SessionPosePtr pose = session->pose();
-    std::vector<Problem> problems = session->problems();
-    const std::vector<RuleFired> fired = session->rules().takeLog();
+    const SessionPosePtr& pose = recorded->take();
+    Session& session = recorded->session();
+    std::vector<Problem> problems = session.problems();
+    const std::vector<RuleFired> fired = session.rules().takeLog();
     const std::scoped_lock lock(mutex);
-    SessionPosePtr before = poses.back();
-    if (before->step == pose->step) {
+    if (poses.back()->step == pose->step) {
         poses.pop_back(); // the same step, after an edit
-        before = nullptr;
     }
-    poses.push_back(std::move(pose));
+    poses.push_back(pose);
     while (poses.size() > 1 && poses[1]->seconds <= poses.back()->seconds - kReadySeconds) {
         poses.pop_front();
     }
-    report = {std::move(problems), session->rules().counts()};
+    report = {std::move(problems), session.rules().counts()};
     if (log.size() < kMaxLog) {
         log.insert(log.end(), fired.begin(), fired.end());
     }
-    return before;
 }
 
 /// Of those that need not be unpacked; under the mutex.

@@ -16,6 +16,7 @@
 
 #include "behavior/session/MotionCache.h"
 #include "behavior/session/MotionReader.h"
+#include "behavior/session/RecordedSession.h"
 #include "behavior/session/RunJournal.h"
 #include "behavior/session/SessionPlayer.h"
 
@@ -42,10 +43,10 @@ struct SessionPlayer::Run
     };
 
     // The thread's, once it runs.
-    std::unique_ptr<Session> session;    ///< null: a take was given up for the next one
-    std::uint64_t steps = 0;             ///< of the session, also where there is none
-    std::unique_ptr<RunJournal> journal; ///< null: it is over
-    EarlierSteps earlier;                ///< of the run before
+    std::unique_ptr<RecordedSession> recorded; ///< null: a take was given up for the next one
+    std::uint64_t steps = 0;                   ///< of the session, also where there is none
+    std::unique_ptr<RunJournal> journal;       ///< null: it is over
+    EarlierSteps earlier;                      ///< of the run before
     std::stop_token token;
     std::shared_ptr<const WalkSurface> surface; ///< that it was told last
     std::optional<std::uint64_t> surfaceStep;   ///< at which that was; nothing: it began with it
@@ -80,7 +81,7 @@ struct SessionPlayer::Run
     void act(RunJournal::Act act, const model::Scene* scene = nullptr);
     void walkOn(std::shared_ptr<const WalkSurface> ground);
     void take(const Take& wish);
-    [[nodiscard]] SessionPosePtr publish();
+    void publish();
     void release();
     [[nodiscard]] std::pair<SessionPosePtr, SessionPosePtr> readyAround(double seconds,
                                                                         bool isLast) const;
@@ -91,8 +92,8 @@ private:
     [[nodiscard]] std::shared_ptr<MotionCache> cacheAfterEarlier();
     [[nodiscard]] bool isStepWanted() const;
     [[nodiscard]] bool isGivenUp(const Take& wish) const;
-    [[nodiscard]] bool replay(Session& again, MotionCache& kept, const Take& wish);
-    void goOnWith(std::unique_ptr<Session> again, std::shared_ptr<MotionCache> kept);
+    [[nodiscard]] bool replay(RecordedSession& again, const Take& wish);
+    void goOnWith(std::unique_ptr<RecordedSession> again);
 };
 
 } // namespace crowd::behavior

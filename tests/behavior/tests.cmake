@@ -29,6 +29,7 @@ crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_RuleTriggers
     tst_RuleWalks
     tst_Rules
+    tst_SceneMotion
     tst_RunJournal
     tst_Session
     tst_SessionEdits
