@@ -8321,6 +8321,10 @@
         <source>Duplicate characters</source>
         <translation>Figuren duplizieren</translation>
     </message>
+    <message>
+        <source>Add rules</source>
+        <translation>Regeln hinzufügen</translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>
@@ -8534,6 +8538,10 @@
     <message>
         <source>There are no takes yet: play, then keep what was played.</source>
         <translation>Es gibt noch keine Takes: Spielen Sie ab und behalten Sie dann das Gespielte.</translation>
+    </message>
+    <message>
+        <source>Nobody walks or follows rules here: there is nothing to keep yet.</source>
+        <translation>Hier geht niemand und niemand folgt Regeln: es gibt noch nichts zu behalten.</translation>
     </message>
 </context>
 <context>
@@ -10102,6 +10110,10 @@ Verworfen ist sie fort.</translation>
         <source>Played on out of &quot;%1&quot; from %2 s; the take stays as it is</source>
         <translation>Aus „%1“ heraus wird ab %2 s weitergespielt; der Take bleibt, wie er ist</translation>
     </message>
+    <message>
+        <source>The play range of the timeline ends here. A click on its ruler with Shift held: all time is played.</source>
+        <translation>Hier endet der Abspielbereich der Zeitleiste. Ein Klick auf ihr Lineal mit Umschalt: die ganze Zeit wird abgespielt.</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::StrokePainter</name>
@@ -10125,8 +10137,8 @@ Verworfen ist sie fort.</translation>
 <context>
     <name>crowd::app::TimeSlider</name>
     <message>
-        <source>The run so far: drag to see any moment of it again. What is done to people then happens at its latest moment.</source>
-        <translation>Der Lauf bisher: Ziehen zeigt jeden Augenblick noch einmal. Was dann mit Figuren geschieht, geschieht in seinem neuesten Augenblick.</translation>
+        <source>The run so far: drag to see any moment of it again. What is done to people then happens there, and what came after is played anew.</source>
+        <translation>Der Lauf bis jetzt: ziehen, um jeden Augenblick wieder zu sehen. Was dann mit Figuren geschieht, geschieht dort, und was danach kam, wird neu gespielt.</translation>
     </message>
 </context>
 <context>
@@ -12559,6 +12571,13 @@ Verworfen ist sie fort.</translation>
         <source>In the whole take %1 of %2 are elsewhere than in &quot;%3&quot; at some time: from %4 on, %5 m at most, at %6.</source>
         <translation>Im ganzen Take sind irgendwann %1 von %2 anderswo als in „%3“: ab %4, höchstens %5 m, bei %6.</translation>
     </message>
+    <message numerus="yes">
+        <source>Up to %n character(s) are there in one of them only.</source>
+        <translation>
+            <numerusform>Bis zu %n Figur ist nur in einem von beiden da.</numerusform>
+            <numerusform>Bis zu %n Figuren sind nur in einem von beiden da.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::TakeShelf</name>
@@ -12709,6 +12728,17 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Play on from the moment shown, as a run that can be told what to do; the take stays as it is</source>
         <translation>Vom gezeigten Augenblick an weiterspielen, als Lauf, dem man etwas sagen kann; der Take bleibt, wie er ist</translation>
+    </message>
+    <message>
+        <source>Nobody walks or follows rules here: there is nothing to keep yet.</source>
+        <translation>Hier geht niemand und niemand folgt Regeln: es gibt noch nichts zu behalten.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n character(s) are there in one of them only.</source>
+        <translation>
+            <numerusform>%n Figur ist nur in einem von beiden da.</numerusform>
+            <numerusform>%n Figuren sind nur in einem von beiden da.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -8321,6 +8321,10 @@
         <source>Duplicate characters</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Add rules</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>
@@ -8533,6 +8537,10 @@
     </message>
     <message>
         <source>There are no takes yet: play, then keep what was played.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody walks or follows rules here: there is nothing to keep yet.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10095,6 +10103,10 @@ Thrown away, it is gone.</source>
         <source>Played on out of &quot;%1&quot; from %2 s; the take stays as it is</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The play range of the timeline ends here. A click on its ruler with Shift held: all time is played.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::StrokePainter</name>
@@ -10118,7 +10130,7 @@ Thrown away, it is gone.</source>
 <context>
     <name>crowd::app::TimeSlider</name>
     <message>
-        <source>The run so far: drag to see any moment of it again. What is done to people then happens at its latest moment.</source>
+        <source>The run so far: drag to see any moment of it again. What is done to people then happens there, and what came after is played anew.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -12552,6 +12564,13 @@ Thrown away, it is gone.</source>
         <source>In the whole take %1 of %2 are elsewhere than in &quot;%3&quot; at some time: from %4 on, %5 m at most, at %6.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>Up to %n character(s) are there in one of them only.</source>
+        <translation>
+            <numerusform>Up to %n character is there in one of them only.</numerusform>
+            <numerusform>Up to %n characters are there in one of them only.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::TakeShelf</name>
@@ -12702,6 +12721,17 @@ Thrown away, it is gone.</source>
     <message>
         <source>Play on from the moment shown, as a run that can be told what to do; the take stays as it is</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody walks or follows rules here: there is nothing to keep yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n character(s) are there in one of them only.</source>
+        <translation>
+            <numerusform>%n character is there in one of them only.</numerusform>
+            <numerusform>%n characters are there in one of them only.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

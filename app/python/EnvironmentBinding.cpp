@@ -123,7 +123,18 @@ void bindEnvironment(SceneClass& scene)
             "text; what is not in it stays. What stands in them are dicts, or Rule, Place and so "
             "on. Raises Error where a member is wrong, or misspelt, or a rule names a clip or slot "
             "that no template has. strict=False takes what a project file may hold: members of a "
-            "later version, clips of templates that are gone.");
+            "later version, clips of templates that are gone.")
+        .def(
+            "add_rules",
+            [](const ScenePtr& self, const std::string& key) {
+                return valueOrRaise(addRuleSet(*self, key));
+            },
+            py::arg("key"),
+            ("Ready-made rules with their cues, as the editor's panel adds them: made for the "
+             "clips "
+             "and places that the scene has. Their ids. There are: " +
+             ruleSetKeys() + ".")
+                .c_str());
 }
 
 void bindEntries(py::module_& module)

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "model/base/ShownText.h"
 #include "model/features/FeatureWriting.h"
 #include "model/project/EnvironmentText.h"
+#include "model/rules/RuleSets.h"
 
 namespace crowd::app {
 
@@ -131,6 +133,45 @@ Result<void> setEnvironment(ScriptScene& script, const std::string& text, bool i
         return script.edit(stepText(QT_TRANSLATE_NOOP("Script", "Set environment")),
                            [&](SceneEdit& open) { putEnvironment(open, wanted); });
     });
+}
+
+std::string ruleSetKeys()
+{
+    std::string all;
+    for (const std::string_view key : kRuleSetKeys) {
+        all += (all.empty() ? "" : ", ") + std::string(key);
+    }
+    return all;
+}
+
+Result<std::vector<RuleId>> addRuleSet(ScriptScene& script, const std::string& key)
+{
+    const auto* const found = std::ranges::find(kRuleSetKeys, key);
+    if (found == kRuleSetKeys.end()) {
+        return Error{"There are no ready-made rules \"" + shortened(key) +
+                     "\"; there are: " + ruleSetKeys() + '.'};
+    }
+    const auto set = static_cast<RuleSet>(found - kRuleSetKeys.begin());
+    std::vector<RuleId> ids;
+    const auto done = script.onDocument([&]() -> Result<void> {
+        const Scene& scene = script.document().scene();
+        std::vector<Rule> made = rulesOf(set, scene);
+        giveIds(made, scene);
+        std::vector<Cue> cues = cuesWith(set, made, scene);
+        std::vector<Rule> rules = scene.rules;
+        ids.resize(made.size());
+        std::ranges::transform(made, ids.begin(), &Rule::id);
+        rules.insert(rules.end(), made.begin(), made.end());
+        return script.edit(stepText(QT_TRANSLATE_NOOP("Script", "Add rules")),
+                           [&](SceneEdit& open) {
+                               open.setRules(std::move(rules));
+                               open.setCues(std::move(cues));
+                           });
+    });
+    if (!done) {
+        return done.error();
+    }
+    return ids;
 }
 
 } // namespace crowd::app

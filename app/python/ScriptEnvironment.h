@@ -24,5 +24,11 @@ namespace crowd::app {
 /// Places, paths, tags and rules as JSON: see readEnvironmentText.
 [[nodiscard]] model::Result<void> setEnvironment(ScriptScene& script, const std::string& text,
                                                  bool isStrict);
+/// Ready-made rules, for the clips and places that the scene has now, with the cues that they
+/// listen to: one step. Their ids.
+[[nodiscard]] model::Result<std::vector<model::RuleId>> addRuleSet(ScriptScene& script,
+                                                                   const std::string& key);
+/// "audience, stadium wave".
+[[nodiscard]] std::string ruleSetKeys();
 
 } // namespace crowd::app

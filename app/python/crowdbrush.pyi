@@ -1496,6 +1496,10 @@ class Scene:
         and so on. Raises Error where a member is wrong, or misspelt, or a rule names a clip
         or slot that no template has. strict=False takes what a project file may hold: members
         of a later version, clips of templates that are gone."""
+    def add_rules(self, key: str) -> List[int]:
+        """Ready-made rules with their cues, as the editor's panel adds them: made for the clips
+        and places that the scene has. Their ids. There are: audience, stadium wave,
+        pedestrians, panic, flock, queue."""
     def stroke(self, brush: Union[Brush, Any], points: Array, *, camera: Union[None, str, Camera] = ..., size: Tuple[float, float] = ..., seed: int = ..., time: float = ..., allow_missing: bool = ..., selected: Any = ..., progress: Optional[Callable[[float], Any]] = ...) -> StrokeOutcome:
         """Paints as the mouse does: points in logical pixels of a view of this size, rows of x,
         y[, pressure[, time[, shown]]]; one undo step. shown: the transport's time of what was

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/scene/Scene.h"
@@ -17,6 +22,10 @@ enum class RuleSet : std::uint8_t {
     Queue,       ///< people line up on the places of a path, move up and are served at its first
     Count
 };
+
+/// As scripts call them, in the order of RuleSet.
+inline constexpr std::array<std::string_view, static_cast<std::size_t>(RuleSet::Count)>
+    kRuleSetKeys{"audience", "stadium wave", "pedestrians", "panic", "flock", "queue"};
 
 /// Without ids: they are given when the rules are added. Empty names stay for what a scene has not.
 [[nodiscard]] std::vector<Rule> rulesOf(RuleSet set, const Scene& scene);

@@ -186,6 +186,28 @@ class Contents(unittest.TestCase):
                 scene.set_environment(wrong)
         self.assertEqual(scene.environment, now)
 
+    def test_ready_made_rules(self):
+        scene = crowdbrush.Scene()
+        man = scene.add_template(MAN)
+        row = np.stack([np.arange(20.0), np.zeros(20), np.zeros(20)], axis=1)
+        scene.create(template=man, position=row)
+        ids = scene.add_rules("audience")
+        self.assertEqual([rule["id"] for rule in scene.environment["rules"]], ids)
+        cue = next(each for each in scene.cues if "clap" in each.event)
+        session = crowdbrush.Session(scene)
+        session.run(0.5)
+        before = session.column("clip").copy()
+        session.send(cue.event)
+        session.run(2.0)
+        self.assertGreater((session.column("clip") != before).sum(), 10)  # most of them
+        more = scene.add_rules("pedestrians")
+        self.assertFalse(set(more) & set(ids))
+        self.assertTrue(scene.undo())
+        self.assertTrue(scene.undo())
+        self.assertEqual((scene.environment["rules"], scene.environment["cues"]), ([], []))
+        with self.assertRaisesRegex(crowdbrush.Error, "there are: audience, "):
+            scene.add_rules("Audience")
+
     def test_the_walking_style_brush(self):
         scene = crowdbrush.Scene()
         man = scene.add_template(MAN)
