@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/DockLayout.h"
 
+#include <map>
 #include <utility>
 
 #include <QtCore/QEvent>
@@ -66,11 +67,18 @@ bool DockLayout::eventFilter(QObject* window, QEvent* event)
 
 void DockLayout::addAll(const DockParts& parts)
 {
+    m_isSeen.assign(dockTable().size(), 0);
     for (const DockInfo& info : dockTable()) {
         QDockWidget* dock = info.make(parts);
         m_window.addDockWidget(info.area, dock);
         m_docks.push_back(dock);
         connect(dock, &QDockWidget::topLevelChanged, this, [this] { m_isUntouched = false; });
+        connect(dock, &QDockWidget::visibilityChanged, this, [this, &info](bool isSeen) {
+            m_isSeen[static_cast<std::size_t>(info.id)] = isSeen ? 1 : 0;
+            if (info.tabAfter && info.height > 0) {
+                arrangeSoon();
+            }
+        });
         if (!info.isShown) {
             dock->hide();
         }
@@ -122,19 +130,30 @@ void DockLayout::arrange()
 {
     for (const Qt::DockWidgetArea area :
          {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea, Qt::BottomDockWidgetArea}) {
-        QList<QDockWidget*> rows;
-        QList<int> heights;
+        std::map<DockId, int> rows;
         for (const DockInfo& info : dockTable()) {
             if (info.area == area && info.width > 0) {
                 m_window.resizeDocks({dock(info.id)}, {info.width}, Qt::Horizontal);
             }
-            if (info.area == area && info.height > 0) {
-                rows << dock(info.id);
-                heights << info.height;
+            const bool isSeen = !info.tabAfter || m_isSeen[static_cast<std::size_t>(info.id)] != 0;
+            if (info.area == area && info.height > 0 && isSeen) {
+                rows[firstOf(info.id)] = info.height;
             }
         }
-        m_window.resizeDocks(rows, heights, Qt::Vertical);
+        QList<QDockWidget*> docks;
+        QList<int> heights;
+        for (const auto& [id, height] : rows) {
+            docks << dock(id);
+            heights << height;
+        }
+        m_window.resizeDocks(docks, heights, Qt::Vertical);
     }
+}
+
+DockId DockLayout::firstOf(DockId id)
+{
+    const DockInfo& info = dockTable()[static_cast<std::size_t>(id)];
+    return info.tabAfter ? firstOf(*info.tabAfter) : id;
 }
 
 void DockLayout::fitToolBars()

@@ -70,8 +70,12 @@ private:
     void arrange();
     void arrangeSoon(); ///< once the window has its size, and once panels have their widths
 
+    /// The first of the panels that it is behind.
+    [[nodiscard]] static DockId firstOf(DockId id);
+
     QMainWindow& m_window;
     std::vector<QDockWidget*> m_docks;
+    std::vector<char> m_isSeen; ///< by DockId: in front, where several are behind each other
     QByteArray m_initial;
     QByteArray m_beforeHiding; ///< empty while the panels are there
     bool m_isUntouched = false;

@@ -48,7 +48,8 @@ constexpr std::array<DockInfo, static_cast<std::size_t>(DockId::Count)> kDocks{{
     {DockId::Looks, &make<widgets::LooksDock>, kLeft, 0, 0, DockId::Presets},
     {DockId::Timeline, &make<widgets::TimelineDock>, kBottom, 0, 0, DockId::Rules, false,
      "timeline"},
-    {DockId::Takes, &make<widgets::TakesDock>, kRight, 0, 0, DockId::Relations, false, "takes"},
+    // A list, what is said of it, another list and what is set below that.
+    {DockId::Takes, &make<widgets::TakesDock>, kRight, 430, 0, DockId::Relations, false, "takes"},
     {DockId::Console, &makeConsole, kBottom, 0, 0, DockId::Rules, false},
 }};
 

@@ -60,7 +60,8 @@ struct DockInfo
     DockId id;
     QDockWidget* (*make)(const DockParts& parts);
     Qt::DockWidgetArea area;
-    int height = 0;                      ///< logical pixels; 0: that of the panel in front
+    /// Logical pixels, of one behind another while it is in front; 0: that of the first of them.
+    int height = 0;
     int width = 0;                       ///< of its area; 0: as it comes
     std::optional<DockId> tabAfter = {}; ///< behind this one
     bool isShown = true;                 ///< else only when it is asked for

@@ -202,6 +202,7 @@ private Q_SLOTS:
     void smallWindowCutsNothingOff();
     void charactersFitANarrowPanel_data();
     void charactersFitANarrowPanel();
+    void takesHaveRoomWhileTheyAreInFront();
     void resetLayoutIsThatOfTheFirstStart();
     void opensWithinTheScreen();
     void everythingOfAnEmptyTheatreShowsItsSeats();
@@ -697,6 +698,22 @@ void PanelsTest::charactersFitANarrowPanel()
             QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QStringLiteral(" | "))));
         }
     }
+}
+
+/// Lists, and what is set below them, want more room than the panels that they are behind.
+void PanelsTest::takesHaveRoomWhileTheyAreInFront()
+{
+    const auto& layout = m_window->dockLayout();
+    m_window->resize(1280, 1000);
+    const Layout before = settledLayout(*m_window);
+    const int others = before.at(layout.dock(app::DockId::Colour)->objectName()).height();
+    QDockWidget* takes = layout.dock(app::DockId::Takes);
+    takes->show();
+    takes->raise();
+    QTRY_VERIFY2(takes->height() > others + 60, qPrintable(QString::number(takes->height())));
+    layout.dock(app::DockId::Colour)->raise();
+    QTRY_VERIFY2(layout.dock(app::DockId::Colour)->height() < others + 30,
+                 qPrintable(QString::number(layout.dock(app::DockId::Colour)->height())));
 }
 
 void PanelsTest::resetLayoutIsThatOfTheFirstStart()
