@@ -190,6 +190,7 @@ void TestLightDock::listsLightsAndShowsTheChosenOne()
     QCOMPARE(desk.list()->count(), 1);
     desk.document.undoStack().undo();
     QCOMPARE(desk.list()->count(), 2);
+    QCOMPARE(desk.list()->currentRow(), 1); // what has come back is worked on
 }
 
 void TestLightDock::theListSwitchesAndRenames()

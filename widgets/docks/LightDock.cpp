@@ -187,7 +187,11 @@ void LightDock::connectParts()
                     makeLightForm(); // its lists are those of now
                 }
                 if (isOneOf<model::LightsChanged, model::SceneReplaced>(change)) {
+                    const auto fresh = newLight();
                     fill();
+                    if (fresh && isOneOf<model::LightsChanged>(change)) {
+                        m_state.chooseLight(*fresh);
+                    }
                 } else if (isOneOf<model::LightingChanged, model::GroupsChanged,
                                    model::IndividualsRemoved>(change)) {
                     showChosen();
@@ -213,6 +217,21 @@ void LightDock::addRow(const QString& name, LightId id, const Light* light)
         item->setCheckState(light->isOn ? Qt::Checked : Qt::Unchecked);
         item->setToolTip(tr("Ticked: it is on. Double click or F2: rename"));
     }
+}
+
+/// One that has come, or come back by undo, is what is to be worked on.
+std::optional<LightId> LightDock::newLight()
+{
+    const model::Lights& lights = m_state.scene().lights;
+    std::vector<LightId> now(lights.size());
+    std::ranges::transform(lights, now.begin(), &Light::id);
+    const std::vector<LightId> before = std::exchange(m_known, now);
+    if (now.size() != before.size() + 1) {
+        return std::nullopt;
+    }
+    const auto fresh = std::ranges::find_if(
+        now, [&before](LightId id) { return std::ranges::find(before, id) == before.end(); });
+    return fresh != now.end() ? std::optional(*fresh) : std::nullopt;
 }
 
 void LightDock::fill()

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include "widgets/docks/DockBase.h"
 #include "widgets/docks/HeldEdit.h"
@@ -34,6 +36,7 @@ private:
     [[nodiscard]] const model::Light& shownLight() const;
     void connectParts();
     void fill();
+    [[nodiscard]] std::optional<model::LightId> newLight();
     void addRow(const QString& name, model::LightId id, const model::Light* light);
     void choose();     ///< as the list says
     void markChosen(); ///< in the list
@@ -54,6 +57,7 @@ private:
     FieldForm* m_lightForm = nullptr;
     QVBoxLayout* m_lightPlace = nullptr;
     bool m_isFilling = false;
+    std::vector<model::LightId> m_known; ///< when the list was filled last
 };
 
 } // namespace crowd::widgets
