@@ -61,22 +61,7 @@ StatusPanel::StatusPanel(widgets::EditorState& state, QWidget* parent)
         m_remark = text;
         showMessage(text, kRemarkMs);
     });
-    connect(&state.session(), &widgets::SessionControl::takenFrom, this, [this](double seconds) {
-        showMessage(
-            tr("What came after %1 s is played anew").arg(QLocale().toString(seconds, 'f', 1)),
-            kRemarkMs);
-    });
-    connect(&state.session(), &widgets::SessionControl::takenOutOf, this,
-            [this](const QString& take, double seconds) {
-                showMessage(tr("Played on out of \"%1\" from %2 s; the take stays as it is")
-                                .arg(take, QLocale().toString(seconds, 'f', 1)),
-                            kRemarkMs);
-            });
-    connect(&state.session(), &widgets::SessionControl::takeRefused, this, [this] {
-        showMessage(tr("Too much was edited since it was started: this happens at the latest "
-                       "moment. Stop and play to go back to any moment again."),
-                    kRemarkMs);
-    });
+    connectSession(state.session());
     connect(this, &QStatusBar::messageChanged, this, &QWidget::setToolTip);
     connect(&state.ground(), &widgets::GroundFinder::waiting, this, &StatusPanel::showWaiting);
     connect(&state.ground(), &widgets::GroundFinder::findingChanged, this,
@@ -89,6 +74,32 @@ StatusPanel::StatusPanel(widgets::EditorState& state, QWidget* parent)
             &StatusPanel::refreshCounts); // back where the scene has them
     m_hint->setFullText(state.hint());
     refreshCounts();
+}
+
+/// What happens to the run is said.
+void StatusPanel::connectSession(const widgets::SessionControl& session)
+{
+    connect(&session, &widgets::SessionControl::takenFrom, this, [this](double seconds) {
+        showMessage(
+            tr("What came after %1 s is played anew").arg(QLocale().toString(seconds, 'f', 1)),
+            kRemarkMs);
+    });
+    connect(&session, &widgets::SessionControl::takenOutOf, this,
+            [this](const QString& take, double seconds) {
+                showMessage(tr("Played on out of \"%1\" from %2 s; the take stays as it is")
+                                .arg(take, QLocale().toString(seconds, 'f', 1)),
+                            kRemarkMs);
+            });
+    connect(&session, &widgets::SessionControl::rangeEnded, this, [this] {
+        showMessage(tr("The play range of the timeline ends here. A click on its ruler with Shift "
+                       "held: all time is played."),
+                    kRemarkMs);
+    });
+    connect(&session, &widgets::SessionControl::takeRefused, this, [this] {
+        showMessage(tr("Too much was edited since it was started: this happens at the latest "
+                       "moment. Stop and play to go back to any moment again."),
+                    kRemarkMs);
+    });
 }
 
 /// A remark for which there is no room ends in an ellipsis; the tool tip has all.

@@ -49,6 +49,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void connectSession(const widgets::SessionControl& session);
     /// Nothing else is drawn while the window waits.
     void showWaiting(bool isWaiting);
     /// What is to be coloured may take a while to be found.

@@ -30,7 +30,7 @@ TimeSlider::TimeSlider(widgets::EditorState& state, QWidget* parent)
     setFixedWidth(kWidth);
     setFocusPolicy(Qt::NoFocus);
     setToolTip(tr("The run so far: drag to see any moment of it again. What is done to people "
-                  "then happens at its latest moment."));
+                  "then happens there, and what came after is played anew."));
     connect(&state.transport(), &widgets::Transport::timeChanged, this, &TimeSlider::refresh);
     connect(&state.session(), &widgets::SessionControl::stateChanged, this, &TimeSlider::refresh);
     connect(&state.session(), &widgets::SessionControl::takenFrom, this, &TimeSlider::refresh);

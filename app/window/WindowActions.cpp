@@ -331,9 +331,7 @@ const WindowAction kPlayActions[] = {
       .isEnabled = [](MainWindow& w) { return w.state().session().isPosed(); }}},
     {{"keep-take", QT_TRANSLATE_NOOP("Actions", "Keep Ta&ke"), "take-add", "Ctrl+Shift+Return",
       QT_TRANSLATE_NOOP("Actions", "Keep what has been played, to be shown again as it was")},
-     [](MainWindow& w, bool) { widgets::keepTake(w.state()); },
-     {.inputs = ActionInput::Session,
-      .isEnabled = [](MainWindow& w) { return w.state().session().isRunning(); }}},
+     [](MainWindow& w, bool) { widgets::keepTake(w.state()); }},
     {{"retake", QT_TRANSLATE_NOOP("Actions", "R&etake Selected"), "retake", "Ctrl+Alt+J",
       QT_TRANSLATE_NOOP("Actions", "In a take, they do something else in the play range, or from "
                                    "the moment shown on; everybody else does what he did")},

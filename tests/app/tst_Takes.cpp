@@ -37,6 +37,8 @@ private Q_SLOTS:
     void itPlaysToItsEndAndFromItsBeginning();
     void nobodyIsToldAnythingMeanwhile();
     void anotherIsSeenAsGhosts();
+    void whoIsHiddenIsCountedApart();
+    void nothingToKeepIsSaid();
     void aRunGoesOnOutOfIt();
     void someActAgainAndOthersDoWhatTheyDid();
     void theyArePaintedToDoSo();
@@ -224,7 +226,8 @@ void TestTakes::nobodyIsToldAnythingMeanwhile()
     QVERIFY2(said.contains(QStringLiteral("Take 1")), qPrintable(said));
     QVERIFY(!session().isRunning());
     // Nor is another take made of a take.
-    QVERIFY(!m_window->actions().action("keep-take")->isEnabled());
+    m_window->actions().action("keep-take")->trigger();
+    QCOMPARE(takes().size(), std::size_t{1});
     // How people look is the scene's all the same.
     QVERIFY(session().keepPose());
     transport().setPlaying(false);
@@ -261,6 +264,53 @@ void TestTakes::anotherIsSeenAsGhosts()
     child<QToolButton>("ghostTake")->click();
     QCOMPARE(state().takes().ghost(), model::TakeId{0});
     QVERIFY(!figures->isVisible());
+}
+
+/// Who is hidden in one of them is nowhere, not a hundred kilometres away.
+void TestTakes::whoIsHiddenIsCountedApart()
+{
+    play(2, 1.0F);
+    keep();
+    keep();
+    showPanel();
+    press(Qt::Key_N);
+    auto* list = child<QListWidget>("takesList");
+    QCOMPARE(list->currentRow(), 1); // what is seen is what is chosen
+    transport().setSeconds(1.0);
+    list->setCurrentRow(2);
+    child<QToolButton>("ghostTake")->click();
+    auto* figures = child<QLabel>("takesDifference");
+    QTRY_VERIFY2(figures->text().contains(QStringLiteral("everybody is as in")),
+                 qPrintable(figures->text()));
+    const auto hidden = static_cast<int>(document().scene().population.ids()[0]);
+    document().edit(QStringLiteral("Hide"), [hidden](model::SceneEdit& edit) {
+        model::Takes all = edit.scene().takes;
+        model::HandEdit hide;
+        hide.kind = model::HandEditKind::Hide;
+        hide.people = {hidden};
+        all[0].edits.push_back(std::move(hide));
+        edit.set<model::members::Takes>(std::move(all));
+    });
+    const auto found = widgets::differenceOf(*session().frame(transport().seconds()),
+                                             *state().takes().ghostFrame(transport().seconds()));
+    QCOMPARE(found.rows.size(), std::size_t{0});
+    QCOMPARE(found.absent, std::vector<std::size_t>{0});
+    QTRY_VERIFY2(figures->text().contains(QStringLiteral("one of them only")),
+                 qPrintable(figures->text()));
+    auto* whole = child<QLabel>("takeFigures");
+    QTRY_VERIFY2(whole->text().contains(QStringLiteral("one of them only")),
+                 qPrintable(whole->text()));
+}
+
+/// Keys that can do nothing say why.
+void TestTakes::nothingToKeepIsSaid()
+{
+    openScene(plainScene(2), QStringLiteral("still.crowd"));
+    QSignalSpy said(&state(), &widgets::EditorState::statusMessage);
+    QTest::keyClick(m_window.get(), Qt::Key_Return, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(said.count(), 1);
+    QVERIFY(said.back()[0].toString().contains(QStringLiteral("nothing to keep")));
+    QVERIFY(takes().empty());
 }
 
 /// By its keys: with what is edited now, after what was seen until then; and again from before

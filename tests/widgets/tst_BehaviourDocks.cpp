@@ -404,11 +404,14 @@ void TestBehaviourDocks::aCueSaysThatTheGroundIsStillSought()
     desk.state.transport().setPlaying(true);
     desk.state.advance(0.01); // the stage is looked at from now on
     QVERIFY(!desk.state.session().isRunning());
+    desk.state.advance(0.5);
+    QCOMPARE(desk.state.transport().seconds(), 0.0); // the run will have all of time
     sendCue(desk.state, cue);
     QVERIFY2(said.contains(QStringLiteral("still being found")), qPrintable(said));
     QTRY_VERIFY_WITH_TIMEOUT(desk.state.session().surfaceProgress() < 0.0, 10'000);
     desk.state.advance(0.01);
     QVERIFY(desk.state.session().isRunning());
+    QCOMPARE(desk.state.session().firstSeconds(), 0.0);
     sendCue(desk.state, cue);
     QVERIFY2(said.contains(QStringLiteral("run")), qPrintable(said));
 }

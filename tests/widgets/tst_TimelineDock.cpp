@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <QtGui/QUndoStack>
+#include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QLabel>
@@ -116,6 +117,9 @@ private Q_SLOTS:
     void theWheelZooms();
     void noPageIsTurnedUnderTheHand();
     void aRangeIsPlayedOverAndOver();
+    void aHandleThatIsClickedShowsThatMoment();
+    void escapeGivesUpADrag();
+    void itFollowsAJumpInTime();
     void playPausesAtTheEndOfTheRange();
     void aRunThatBeginsAfterTheRangePlaysOn();
     void whatIsSprayedIsOneMark();
@@ -448,6 +452,61 @@ void TestTimelineDock::aRangeIsPlayedOverAndOver()
     QVERIFY(!range().isSet() && !desk.button("playLoop")->isChecked());
 }
 
+void TestTimelineDock::aHandleThatIsClickedShowsThatMoment()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    setPlayRange(desk.state, {.begin = 1.0, .end = 2.0});
+    desk.playTo(1.0);
+    desk.state.transport().setSeconds(0.2);
+    const int steps = desk.document.undoStack().count();
+    const QPoint handle = desk.view().placeOf(1.0) + QPoint(1, 4);
+    QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, handle);
+    QVERIFY(isNear(desk.state.transport().seconds(), 1.0));
+    QCOMPARE(desk.document.scene().playRange.begin, 1.0);
+    QCOMPARE(desk.document.undoStack().count(), steps);
+}
+
+void TestTimelineDock::escapeGivesUpADrag()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    desk.doubleClick(model::MarkKind::Cue, 1.0);
+    setPlayRange(desk.state, {.begin = 1.0, .end = 2.0});
+    const model::Timeline marks = desk.document.scene().timeline;
+    const auto chosen = desk.view().chosen();
+    QCOMPARE(marks.size(), std::size_t{1});
+    const QPoint mark = desk.at(model::MarkKind::Cue, 1.0);
+    const QPoint handle = desk.view().placeOf(2.0) + QPoint(-2, 4);
+    for (const QPoint from : {mark, handle}) {
+        QTest::mousePress(&desk.view(), Qt::LeftButton, {}, from);
+        const QPoint to = from + QPoint(60, 0);
+        QMouseEvent move(QEvent::MouseMove, to, desk.view().mapToGlobal(to), Qt::NoButton,
+                         Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&desk.view(), &move);
+        // Whoever has the keys: the form of what was chosen must not have taken them.
+        QWidget* const hasKeys = QApplication::focusWidget();
+        QTest::keyClick(hasKeys != nullptr ? hasKeys : &desk.view(), Qt::Key_Escape);
+        QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, to);
+        QVERIFY(desk.document.scene().timeline == marks);
+        QCOMPARE(desk.document.scene().playRange.end, 2.0);
+    }
+    QVERIFY(desk.view().chosen().empty()); // the press beside it
+    QVERIFY(!chosen.empty());
+}
+
+void TestTimelineDock::itFollowsAJumpInTime()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    const int right = desk.view().width();
+    desk.state.transport().setSeconds(1000.0);
+    QVERIFY(desk.view().placeOf(1000.0).x() < right);
+    QVERIFY(desk.view().placeOf(0.0).x() < 0);
+    desk.state.transport().setSeconds(0.0);
+    QVERIFY(desk.view().placeOf(0.0).x() >= 0 && desk.view().placeOf(0.0).x() < right);
+}
+
 void TestTimelineDock::playPausesAtTheEndOfTheRange()
 {
     TimelineDesk desk;
@@ -464,8 +523,10 @@ void TestTimelineDock::playPausesAtTheEndOfTheRange()
             },
             kTimelinePatienceMs);
     };
+    QSignalSpy ended(&desk.state.session(), &SessionControl::rangeEnded);
     QVERIFY(play());
     QCOMPARE(transport.seconds(), 0.6);
+    QCOMPARE(ended.count(), 1); // it is said why
     transport.setPlaying(true); // from its beginning
     desk.state.session().advance(0.02);
     QVERIFY2(transport.seconds() < 0.3, qPrintable(QString::number(transport.seconds())));

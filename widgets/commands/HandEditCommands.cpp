@@ -86,7 +86,9 @@ void putTimes(HandEdit& edit, const EditorState& state, const model::Take& take)
     const model::PlayRange& range = state.scene().playRange;
     const bool isRange = range.isSet() && range.begin < take.end && range.end > take.begin;
     const bool ends = edit.kind == HandEditKind::Pace;
-    edit.begin = isRange ? range.begin : state.transport().seconds();
+    const double now = state.transport().seconds();
+    const bool isWithin = isRange && now > range.begin && now < range.end;
+    edit.begin = isRange && !isWithin ? range.begin : now; // what one sees is where it begins
     edit.end = isRange ? range.end : ends ? edit.begin + kStretchSeconds : 0.0;
     if (edit.kind == HandEditKind::Shift) {
         edit.begin = 0.0;

@@ -49,9 +49,12 @@ void keepTake(EditorState& state)
     }
     const QString name = freeTakeName(state.scene());
     if (!canKeepTake(state) || !state.takes().keep(name)) {
-        state.showStatus(state.takes().keptShare() >= 0.0F
-                             ? TakeText::tr("Another take is still being kept.")
-                             : TakeText::tr("Nothing has been played yet: press Play first."));
+        state.showStatus(
+            state.takes().keptShare() >= 0.0F ? TakeText::tr("Another take is still being kept.")
+            : state.scene().hasBehaviour()
+                ? TakeText::tr("Nothing has been played yet: press Play first.")
+                : TakeText::tr(
+                      "Nobody walks or follows rules here: there is nothing to keep yet."));
     }
 }
 

@@ -70,16 +70,22 @@ void TakeFigures::begin()
 QString TakeFigures::textOf(const TakeComparison& found) const
 {
     const QString name = QString::fromStdString(m_compared[1].name);
+    const auto count = static_cast<int>(found.missing);
+    const QString missing =
+        count == 0 ? QString()
+                   : QLatin1Char(' ') +
+                         tr("Up to %n character(s) are there in one of them only.", nullptr, count);
     if (found.elsewhere == 0) {
-        return tr("In the whole take everybody is as in \"%1\".").arg(name);
+        return tr("In the whole take everybody is as in \"%1\".").arg(name) + missing;
     }
     return tr("In the whole take %1 of %2 are elsewhere than in \"%3\" at some time: from %4 on, "
               "%5 m at most, at %6.")
-        .arg(found.elsewhere)
-        .arg(found.people)
-        .arg(name, takeClockText(found.apartFrom),
-             QLocale().toString(static_cast<double>(found.most), 'f', 2),
-             takeClockText(found.mostAt));
+               .arg(found.elsewhere)
+               .arg(found.people)
+               .arg(name, takeClockText(found.apartFrom),
+                    QLocale().toString(static_cast<double>(found.most), 'f', 2),
+                    takeClockText(found.mostAt)) +
+           missing;
 }
 
 } // namespace crowd::widgets

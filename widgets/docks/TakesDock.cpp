@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QtCore/QLocale>
+#include <QtCore/QMetaObject>
 #include <QtGui/QPixmap>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QLabel>
@@ -137,10 +138,17 @@ void TakesDock::connectParts()
     connect(m_list, &QListWidget::currentRowChanged, this, &TakesDock::refreshButtons);
     connect(m_list, &QListWidget::itemActivated, this, &TakesDock::showChosen);
     connect(m_list, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
-        if (!m_isFilling) {
-            m_state.takes().rename(item->data(kTakeIdRole).toUInt(), item->text());
-            fill();
+        if (m_isFilling) {
+            return;
         }
+        // After the list has done with its field: it is filled anew.
+        QMetaObject::invokeMethod(
+            this,
+            [this, id = item->data(kTakeIdRole).toUInt(), name = item->text()] {
+                m_state.takes().rename(id, name);
+                fill();
+            },
+            Qt::QueuedConnection);
     });
     connect(m_list, &QListWidget::customContextMenuRequested, this, &TakesDock::showMenu);
     m_follow.setSingleShot(true);
@@ -188,6 +196,9 @@ void TakesDock::fill()
     const model::TakeId before = chosen();
     const bool wasLive = m_list->currentRow() == 0;
     const std::size_t known = static_cast<std::size_t>(std::max(0, m_list->count() - 1));
+    const model::TakeId shown = m_state.session().take();
+    const bool isOther = shown != m_shown;
+    m_shown = shown;
     const model::Takes& takes = m_state.scene().takes;
     m_isFilling = true;
     m_list->clear();
@@ -199,7 +210,9 @@ void TakesDock::fill()
             current = m_list->count() - 1;
         }
     }
-    if (takes.size() > known && known > 0) {
+    if (isOther) {
+        current = rowOf(m_shown); // what is seen is what is worked on
+    } else if (takes.size() > known && known > 0) {
         current = m_list->count() - 1; // a new one is chosen
     }
     m_list->setCurrentRow(current >= 0 ? current : m_list->count() - 1);
@@ -216,6 +229,17 @@ void TakesDock::fill()
     m_edits->refresh();
 }
 
+/// -1: none.
+int TakesDock::rowOf(model::TakeId id) const
+{
+    for (int row = 0; row < m_list->count(); ++row) {
+        if (m_list->item(row)->data(kTakeIdRole).toUInt() == id) {
+            return row;
+        }
+    }
+    return -1;
+}
+
 model::TakeId TakesDock::chosen() const
 {
     const QListWidgetItem* item = m_list->currentItem();
@@ -225,7 +249,6 @@ model::TakeId TakesDock::chosen() const
 void TakesDock::refreshButtons()
 {
     const model::Take* take = model::findTake(m_state.scene().takes, chosen());
-    m_keep->setEnabled(canKeepTake(m_state));
     m_show->setEnabled(chosen() != m_state.session().take());
     m_ghost->setEnabled(take != nullptr && take->motion);
     m_ghost->setChecked(take != nullptr && m_state.takes().ghost() == take->id);
@@ -242,8 +265,11 @@ void TakesDock::refreshNote()
     if (share >= 0.0F) {
         text = tr("The take is being kept: %1 %").arg(static_cast<int>(100.0F * share));
     } else if (problem.isEmpty() && m_state.scene().takes.empty()) {
-        text = tr("Play, then keep what was played. A take can be seen again whatever becomes of "
-                  "paths, rules and marks.");
+        text =
+            m_state.scene().hasBehaviour()
+                ? tr("Play, then keep what was played. A take can be seen again whatever becomes "
+                     "of paths, rules and marks.")
+                : tr("Nobody walks or follows rules here: there is nothing to keep yet.");
     } else if (problem.isEmpty() && m_state.session().take() != 0) {
         text = tr("People move as in the take: what they are told and where they are to go counts "
                   "for the scene as it plays.");
@@ -265,9 +291,14 @@ void TakesDock::refreshDifference()
     }
     const TakeDifference found = differenceOf(*m_state.session().frame(seconds), *other);
     const QString name = QString::fromStdString(ghost->name);
+    const auto count = static_cast<int>(found.absent.size() + found.extra);
+    const QString missing =
+        count == 0 ? QString()
+                   : QLatin1Char(' ') +
+                         tr("%n character(s) are there in one of them only.", nullptr, count);
     if (found.rows.empty()) {
         m_difference->setText(
-            tr("At %1 everybody is as in \"%2\".").arg(takeClockText(seconds), name));
+            tr("At %1 everybody is as in \"%2\".").arg(takeClockText(seconds), name) + missing);
         return;
     }
     const QLocale locale;
@@ -277,7 +308,8 @@ void TakesDock::refreshDifference()
             .arg(found.rows.size())
             .arg(found.people)
             .arg(name, locale.toString(static_cast<double>(found.mean), 'f', 2),
-                 locale.toString(static_cast<double>(found.most), 'f', 2)));
+                 locale.toString(static_cast<double>(found.most), 'f', 2)) +
+        missing);
 }
 
 /// What could be seen of a way home that was too long for the stretch is said.

@@ -38,6 +38,7 @@ private:
     void sayRetaken(const QString& name, int people, double furthestMetres);
     void showChosen();
     void removeChosen();
+    [[nodiscard]] int rowOf(model::TakeId id) const;
     [[nodiscard]] model::TakeId chosen() const; ///< 0: none, or the scene as it plays
 
     EditorState& m_state;
@@ -53,6 +54,7 @@ private:
     QToolButton* m_ghost = nullptr;
     QToolButton* m_goOn = nullptr;
     QToolButton* m_retake = nullptr;
+    model::TakeId m_shown = 0; ///< when the list was filled last
     QToolButton* m_remove = nullptr;
     bool m_isFilling = false;
 };

@@ -144,7 +144,7 @@ void TimelineDock::makeUnits()
 {
     m_units->setObjectName(QStringLiteral("timelineUnits"));
     m_units->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_units->setMinimumContentsLength(4);
+    m_units->setMinimumContentsLength(8); // "Sekunden"
     m_units->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     m_units->setToolTip(tr("What times are shown in, and caught by when marks are dragged"));
     const int before = QSettings().value(kUnitKey).toInt();

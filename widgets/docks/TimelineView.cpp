@@ -29,6 +29,7 @@ constexpr double kPan = 60.0; ///< pixels a notch
 constexpr int kNear = 2;      ///< pixels beside a mark or a tick that still mean it
 constexpr int kHandle = 9;    ///< pixels: width of a handle of the play range
 constexpr int kHandleTop = 8; ///< from the top of the ruler
+constexpr int kStill = 3;     ///< pixels that a click may move
 constexpr int kAimMs = 1500;  ///< from a movement of the mouse to a click
 constexpr int kNames = TimelineLayout::kNames;
 constexpr int kRuler = TimelineLayout::kRuler;
@@ -105,7 +106,9 @@ void TimelineView::followTime(double seconds)
     if (!isVisible()) {
         return;
     }
-    if (m_state.transport().isPlaying() && !isAimedAt()) {
+    // Also where it jumps: to the beginning, to a marker.
+    const bool isJump = !m_state.transport().isPlaying() && !m_scrub.isHeld();
+    if ((m_state.transport().isPlaying() && !isAimedAt()) || isJump) {
         m_scale.reveal(seconds, width() - kNames);
     }
     update();
@@ -226,10 +229,11 @@ const Mark* TimelineView::markThrough(const QPoint& at) const
 /// Keys that the window has actions for are the timeline's while marks are chosen.
 bool TimelineView::event(QEvent* event)
 {
-    if (event->type() == QEvent::ShortcutOverride && !m_chosen.empty()) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        if (key->key() == Qt::Key_Delete || key->key() == Qt::Key_Backspace ||
-            key->key() == Qt::Key_Escape) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        const bool isRemoval = key == Qt::Key_Delete || key == Qt::Key_Backspace;
+        const bool isEnd = key == Qt::Key_Escape && (m_drag || m_rangeDrag);
+        if (isEnd || ((isRemoval || key == Qt::Key_Escape) && !m_chosen.empty())) {
             event->accept();
             return true;
         }
@@ -242,13 +246,22 @@ void TimelineView::keyPressEvent(QKeyEvent* event)
     const bool isRemoval = event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace;
     if (isRemoval && !m_chosen.empty()) {
         removeChosen();
+    } else if (event->key() == Qt::Key_Escape && giveUpDrags()) {
+        event->accept();
     } else if (event->key() == Qt::Key_Escape && !m_chosen.empty()) {
-        m_drag.reset();
         choose({});
-        update();
     } else {
         QWidget::keyPressEvent(event);
     }
+}
+
+bool TimelineView::giveUpDrags()
+{
+    const bool wasDragging = m_drag || m_rangeDrag;
+    m_drag.reset();
+    m_rangeDrag.reset();
+    update();
+    return wasDragging;
 }
 
 void TimelineView::removeChosen()
@@ -269,8 +282,13 @@ void TimelineView::mousePressEvent(QMouseEvent* event)
     choose({});
     if (!beginRangeDrag(at, event->modifiers()) && at.x() >= kNames) {
         m_scrub.begin();
-        m_scrub.show(m_scale.seconds(at.x() - kNames));
+        showTimeAt(at.x());
     }
+}
+
+void TimelineView::showTimeAt(int x)
+{
+    m_scrub.show(m_scale.seconds(x - kNames));
 }
 
 void TimelineView::beginDrag(const Mark& mark, const QMouseEvent& event)
@@ -295,10 +313,12 @@ void TimelineView::mouseMoveEvent(QMouseEvent* event)
     m_sinceAimed.start();
     const QPoint at = event->position().toPoint();
     if (m_rangeDrag) {
+        const int way = std::abs(at.x() - m_rangeDrag->from.x());
+        m_rangeDrag->isHeldStill = m_rangeDrag->isHeldStill && way <= kStill;
         m_rangeDrag->moving = m_scale.caught(m_scale.seconds(at.x() - kNames));
         update();
     } else if (m_scrub.isHeld()) {
-        m_scrub.show(m_scale.seconds(at.x() - kNames));
+        showTimeAt(at.x());
     } else if (m_drag && (event->buttons() & Qt::LeftButton) != 0) {
         // What is dragged stays in sight.
         const int way = std::clamp(at.x(), kNames, width() - kMarkHalf) - m_drag->from.x();
@@ -361,9 +381,9 @@ bool TimelineView::beginRangeDrag(const QPoint& at, Qt::KeyboardModifiers modifi
     const auto handle = handleAt(at);
     const bool isNew = (modifiers & Qt::ShiftModifier) != 0 && at.y() < kRuler && at.x() >= kNames;
     if (handle) {
-        m_rangeDrag = RangeDrag{*handle, here};
+        m_rangeDrag = RangeDrag{*handle, here, at, true};
     } else if (isNew) {
-        m_rangeDrag = RangeDrag{here, here};
+        m_rangeDrag = RangeDrag{here, here, at, false};
     }
     return m_rangeDrag.has_value();
 }
@@ -371,7 +391,7 @@ bool TimelineView::beginRangeDrag(const QPoint& at, Qt::KeyboardModifiers modifi
 model::PlayRange TimelineView::shownRange() const
 {
     model::PlayRange range = m_state.scene().playRange;
-    if (m_rangeDrag) {
+    if (m_rangeDrag && !m_rangeDrag->isHeldStill) {
         range.begin = std::min(m_rangeDrag->fixed, m_rangeDrag->moving);
         range.end = std::max(m_rangeDrag->fixed, m_rangeDrag->moving);
     }
@@ -393,12 +413,19 @@ void TimelineView::mouseReleaseEvent(QMouseEvent* event)
     }
     m_scrub.end();
     endDrag();
-    if (m_rangeDrag) {
-        const model::PlayRange range = shownRange();
-        m_rangeDrag.reset();
+    endRangeDrag();
+}
+
+void TimelineView::endRangeDrag()
+{
+    const model::PlayRange range = shownRange();
+    const auto drag = std::exchange(m_rangeDrag, std::nullopt);
+    if (drag && drag->isHeldStill) {
+        showTimeAt(drag->from.x());
+    } else if (drag) {
         setPlayRange(m_state, range);
-        update();
     }
+    update();
 }
 
 void TimelineView::endDrag()

@@ -68,10 +68,13 @@ private:
         bool isCopy = false;
     };
 
-    struct RangeDrag // seconds
+    struct RangeDrag
     {
-        double fixed = 0.0;
+        double fixed = 0.0; ///< seconds
         double moving = 0.0;
+        QPoint from;
+        /// By a handle: until it is moved it is a click like any other.
+        bool isHeldStill = false;
     };
 
     [[nodiscard]] TimelineLayout layout() const { return {size()}; }
@@ -90,6 +93,10 @@ private:
     [[nodiscard]] bool isAimedAt() const;
     void beginDrag(const model::Mark& mark, const QMouseEvent& event);
     void endDrag();
+    void endRangeDrag();
+    void showTimeAt(int x);
+    /// Nothing of what is being dragged changes. False: nothing is.
+    bool giveUpDrags();
     [[nodiscard]] double earliestChosen() const;
     void removeChosen();
     [[nodiscard]] const model::Mark* markAt(const QPoint& at) const;  ///< null: there is none

@@ -96,7 +96,7 @@ void SessionControl::followScene(const model::SceneChange& change)
 {
     visitChange(change, [this](const model::SceneReplaced&) {
         drop();
-        m_liveSeconds = m_transport.seconds();
+        m_liveSeconds = 0.0; // where time begins in it
         m_recorder.forget();
         m_firings.clear();
         m_take.reset();
@@ -547,12 +547,14 @@ void SessionControl::advance(double realSeconds)
         m_isBehaviourStale = false;
         m_hasBehaviour = m_document.scene().hasBehaviour();
     }
-    if (!isRunning() && !m_take && m_transport.isPlaying() && m_hasBehaviour &&
-        m_surface->isReady()) {
+    const bool begins = !isRunning() && !m_take && m_transport.isPlaying() && m_hasBehaviour;
+    // Until what can be walked on is found time stands: the run has all of it from where it began.
+    const bool waits = begins && !m_surface->isReady();
+    if (begins && !waits) {
         start();
     }
     beginTakeAgain();
-    advanceTransport(realSeconds);
+    advanceTransport(waits ? 0.0 : realSeconds);
     checkTake();
     if (!isRunning()) {
         m_liveSeconds = std::max(m_liveSeconds, m_transport.seconds());
@@ -586,6 +588,9 @@ void SessionControl::advanceTransport(double realSeconds)
     const bool isOver = m_take && m_transport.seconds() >= m_take->last();
     if ((isPast && !range.isLoop) || (isOver && isPlaying && !(isThere && range.isLoop))) {
         m_transport.setPlaying(false);
+        if (isPast) {
+            Q_EMIT rangeEnded();
+        }
     } else if (isOver && isPlaying && isThere && range.isLoop) {
         beginRange(); // it ends within it
     }

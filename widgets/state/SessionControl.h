@@ -144,6 +144,8 @@ Q_SIGNALS:
     void problemsChanged();
     /// What was played after this time, seconds, is forgotten.
     void takenFrom(double seconds);
+    /// It was paused at the end of the play range.
+    void rangeEnded();
     /// Too much was edited since the run began: it goes on at the latest time.
     void takeRefused();
     /// A run has begun out of a take, at this time.

@@ -57,6 +57,7 @@ model::Result<TakeComparison> compareTakes(const model::Take& shown, const model
         if (comparison.elsewhere == 0 && !found.rows.empty()) {
             comparison.apartFrom = seconds;
         }
+        comparison.missing = std::max(comparison.missing, found.absent.size() + found.extra);
         for (const std::size_t row : found.rows) {
             comparison.elsewhere += isElsewhere[row] == 0 ? 1U : 0U;
             isElsewhere[row] = 1;

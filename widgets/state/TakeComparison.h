@@ -16,6 +16,7 @@ struct TakeComparison
 {
     std::size_t people = 0;    ///< that were compared
     std::size_t elsewhere = 0; ///< of whom so many were elsewhere at some time
+    std::size_t missing = 0;   ///< and so many were there in one of them only
     double apartFrom = 0.0;    ///< seconds of the clock at which the first one is
     float most = 0.0F;         ///< metres between somebody and himself
     double mostAt = 0.0;       ///< and when

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "behavior/agents/AgentColumns.h"
 #include "behavior/takes/RetakeKeeping.h"
 #include "behavior/takes/TakeFile.h"
 #include "model/base/Translated.h"
@@ -21,6 +22,12 @@ namespace {
 
 constexpr float kElsewhere = 0.02F; ///< metres: what is nearer nobody sees
 constexpr float kTurned = 0.1F;     ///< radians
+
+/// Not hidden, and has not left.
+bool isThere(const glm::vec3& place)
+{
+    return place.y > 0.5F * behavior::kGoneHeight;
+}
 
 } // namespace
 
@@ -40,6 +47,14 @@ TakeDifference differenceOf(const model::CrowdFrame& shown, const model::CrowdFr
     difference.people = here.size();
     double sum = 0.0;
     for (std::size_t row = 0; row < here.size(); ++row) {
+        const bool isHere = isThere(here[row]);
+        if (isHere != isThere(there[row])) {
+            difference.extra += isHere ? 1U : 0U;
+            if (!isHere) {
+                difference.absent.push_back(row);
+            }
+            continue;
+        }
         const float metres = glm::distance(here[row], there[row]);
         const bool isTurned = std::abs(std::sin((looks[row] - looked[row]) * 0.5F)) > kTurned;
         if (metres <= kElsewhere && !isTurned && clips[row] == clipsThere[row]) {
@@ -259,6 +274,7 @@ void TakeShelf::followScene(const model::SceneChange& change)
         return;
     }
     const model::Take* take = model::findTake(m_document.scene().takes, m_ghost->id());
+    take = take != nullptr && take->isShown ? nullptr : take; // nobody is beside himself
     const bool knowsTemplates = !isOneOf<model::TemplatesChanged>(change);
     if (take == nullptr || !m_ghost->shows(*take) || !knowsTemplates) {
         setGhost(take != nullptr ? take->id : 0);

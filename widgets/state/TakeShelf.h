@@ -20,10 +20,12 @@ class SessionControl;
 /// How two moments of the same people differ.
 struct TakeDifference
 {
-    std::vector<std::size_t> rows; ///< of those who are elsewhere
-    std::size_t people = 0;        ///< that were compared
-    float mean = 0.0F;             ///< metres, of those who are elsewhere
-    float most = 0.0F;             ///< metres
+    std::vector<std::size_t> rows;   ///< of those who are elsewhere
+    std::vector<std::size_t> absent; ///< of those who are there in the other one only
+    std::size_t extra = 0;           ///< there in the shown one only
+    std::size_t people = 0;          ///< that were compared
+    float mean = 0.0F;               ///< metres, of those who are elsewhere
+    float most = 0.0F;               ///< metres
 };
 
 /// Of frames of the same scene.

@@ -27,7 +27,9 @@ void TakeGhosts::make(EditorState& state, std::span<const model::WorldSeat> seat
     if (!other) {
         return;
     }
-    std::vector<std::size_t> rows = differenceOf(shown, *other).rows;
+    const TakeDifference found = differenceOf(shown, *other);
+    std::vector<std::size_t> rows = found.rows;
+    rows.insert(rows.end(), found.absent.begin(), found.absent.end());
     const auto here = shown.population.column(model::columns::position);
     const auto there = other->population.column(model::columns::position);
     const auto distance = [&](std::size_t row) {
@@ -44,6 +46,9 @@ void TakeGhosts::make(EditorState& state, std::span<const model::WorldSeat> seat
         }
         if (m_lines.size() >= kMostWays) {
             break;
+        }
+        if (std::ranges::binary_search(found.absent, row)) {
+            continue; // no way leads to him
         }
         const glm::vec3 above(0.0F, kAnkleMetres, 0.0F);
         m_lines.push_back({there[row] + above, here[row] + above, kWayColor, 3.0F, 1.0F});

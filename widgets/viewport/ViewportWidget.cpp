@@ -149,6 +149,7 @@ void ViewportWidget::connectSession()
     connect(&m_state.session(), &SessionControl::stepped, this, [this] {
         if (!m_clock.isRunning()) {
             renew(); // a single step
+            refreshText();
         }
     });
 }
