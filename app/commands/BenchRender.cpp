@@ -15,6 +15,7 @@
 
 #include "app/commands/BenchScene.h"
 #include "app/commands/OptionText.h"
+#include "app/commands/PictureQuality.h"
 #include "app/commands/SceneSource.h"
 #include "app/pictures/PictureFile.h"
 #include "model/bake/ClipBaker.h"
@@ -102,6 +103,9 @@ public:
     [[nodiscard]] model::Result<void> open();
     [[nodiscard]] model::Result<void> run();
     [[nodiscard]] model::Result<void> writePictures() const;
+    /// What is lost by levels, at some other times.
+    [[nodiscard]] model::Result<void> measureLoss();
+    [[nodiscard]] bool losesTooMuch() const;
     [[nodiscard]] QJsonObject report() const;
 
 private:
@@ -110,6 +114,8 @@ private:
                                                  bool smoothsEdges);
     [[nodiscard]] model::Result<void> timePlain(double seconds, bool isWarm);
     [[nodiscard]] model::Result<double> timeReference(double seconds);
+    [[nodiscard]] model::Result<std::vector<std::uint8_t>> picture(double seconds, bool isFull,
+                                                                   int scale);
 
     const BenchRenderOptions& m_options;
     glm::ivec2 m_size;
@@ -126,6 +132,8 @@ private:
     std::vector<double> m_plain; ///< ours without light, where a look is asked for
     std::vector<double> m_plan;  ///< of ours: phase, cull, level, sort
     std::vector<double> m_cpu;   ///< the same and static records
+    PictureQuality m_full;       ///< the means of what was measured
+    PictureQuality m_levels;
 };
 
 Comparison::~Comparison()
@@ -171,8 +179,61 @@ render::RenderInput Comparison::inputAt(double seconds)
     input.samples = m_options.samples;
     if (m_options.detail == "full") {
         input.levels = render::LevelThresholds::fullDetail();
+    } else if (!m_options.thresholds.empty()) {
+        std::ranges::copy(m_options.thresholds, input.levels.pixels.begin());
     }
     return input;
+}
+
+/// `scale`: times as wide and high.
+model::Result<std::vector<std::uint8_t>> Comparison::picture(double seconds, bool isFull, int scale)
+{
+    (void)m_core->makeCurrent();
+    render::RenderInput input = inputAt(seconds);
+    input.pixelSize = m_size * scale;
+    input.smoothsEdges = m_options.edges;
+    input.levels.hysteresis = 0.0F;
+    if (isFull) {
+        input.levels = render::LevelThresholds::fullDetail();
+    }
+    auto drawn = m_renderer.draw(input);
+    m_keyframes.waitForAll(); // of times that were not timed
+    drawn = drawn ? m_renderer.draw(input) : drawn;
+    if (!drawn) {
+        return drawn.error();
+    }
+    return m_renderer.readPixels();
+}
+
+model::Result<void> Comparison::measureLoss()
+{
+    constexpr int kMoments = 4;
+    constexpr double kApart = 1.37; // seconds: at no moment is everybody as at another
+    const auto add = [](PictureQuality& sum, const PictureQuality& each) {
+        sum.psnr += each.psnr / kMoments;
+        sum.ssim += each.ssim / kMoments;
+    };
+    for (int i = 0; i < kMoments; ++i) {
+        const double seconds = kApart * i;
+        const auto large = picture(seconds, true, 2);
+        const auto full = picture(seconds, true, 1);
+        const auto levels = picture(seconds, false, 1);
+        for (const auto* each : {&large, &full, &levels}) {
+            if (!*each) {
+                return each->error();
+            }
+        }
+        const std::vector<std::uint8_t> truth = halved(large.value(), m_size * 2);
+        add(m_full, qualityOf(full.value(), truth, m_size));
+        add(m_levels, qualityOf(levels.value(), truth, m_size));
+    }
+    return {};
+}
+
+bool Comparison::losesTooMuch() const
+{
+    return m_full.psnr - m_levels.psnr > kMostLostPsnr ||
+           m_full.ssim - m_levels.ssim > kMostLostSsim;
 }
 
 model::Result<double> Comparison::timeOurs(double seconds, render::Look look, bool smoothsEdges)
@@ -290,6 +351,12 @@ QJsonObject Comparison::report() const
                                                               "material, fixed-function light")},
                     {QStringLiteral("median_ms"), reference.median}};
     json[QStringLiteral("ratio")] = reference.median / ours.median;
+    if (m_options.quality) {
+        json[QStringLiteral("full_psnr")] = m_full.psnr;
+        json[QStringLiteral("full_ssim")] = m_full.ssim;
+        json[QStringLiteral("lost_psnr")] = m_full.psnr - m_levels.psnr;
+        json[QStringLiteral("lost_ssim")] = m_full.ssim - m_levels.ssim;
+    }
     return json;
 }
 
@@ -322,6 +389,13 @@ void printComparison(const QJsonObject& report, bool isJson)
         report[QStringLiteral("ratio")].toDouble(), report[QStringLiteral("plain_ms")].toDouble(),
         qPrintable(report[QStringLiteral("look")].toString()),
         report[QStringLiteral("to_plain")].toDouble());
+    if (report.contains(QStringLiteral("lost_psnr"))) {
+        std::printf("lost       %8.2f dB of %.2f, %.4f of similarity %.4f\n",
+                    report[QStringLiteral("lost_psnr")].toDouble(),
+                    report[QStringLiteral("full_psnr")].toDouble(),
+                    report[QStringLiteral("lost_ssim")].toDouble(),
+                    report[QStringLiteral("full_ssim")].toDouble());
+    }
 }
 
 } // namespace
@@ -357,7 +431,16 @@ int runBenchRender(const BenchRenderOptions& options)
             return failBench(written.error());
         }
     }
+    if (options.quality) {
+        if (auto measured = comparison.measureLoss(); !measured) {
+            return failBench(measured.error());
+        }
+    }
     printComparison(comparison.report(), options.json);
+    if (options.quality && comparison.losesTooMuch()) {
+        return failBench({"More is lost by levels than may be: at most 0.6 dB and 0.010 of "
+                          "structural similarity. Raise no threshold so far."});
+    }
     return 0;
 }
 

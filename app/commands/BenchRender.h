@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace crowd::app {
 
@@ -15,15 +16,23 @@ struct BenchRenderOptions
     std::string scene;             ///< a project whose people (the first `count`) are drawn instead
     std::string picture;           ///< writes what both drew to PICTURE-ours.png and -reference.png
     int frames = 40;
-    int samples = 4;            ///< per pixel
-    bool edges = false;         ///< smooth in the last step; not those of plain frames
-    std::string clock = "wall"; ///< "wall" or "cpu": processor time of all threads
-    std::string look = "lit";   ///< of ours; plain frames are timed beside it
-    std::string light;          ///< a ready-made one; empty: the scene's
+    int samples = 4;                 ///< per pixel
+    bool quality = false;            ///< also what is lost beside full detail, see kMostLostPsnr
+    std::vector<float> thresholds{}; ///< of levels, pixels, descending; empty: the usual ones
+    bool edges = false;              ///< smooth in the last step; not those of plain frames
+    std::string clock = "wall";      ///< "wall" or "cpu": processor time of all threads
+    std::string look = "lit";        ///< of ours; plain frames are timed beside it
+    std::string light;               ///< a ready-made one; empty: the scene's
     bool json = false;
 };
 
-/// The exit code; prints the result, or one line on standard error. Needs no display.
+/// What may be lost by levels before somebody sees it: dB and structural similarity beside full
+/// detail, both against a picture of four samples each way.
+inline constexpr double kMostLostPsnr = 0.6;
+inline constexpr double kMostLostSsim = 0.010;
+
+/// The exit code, 1 also where more is lost; prints the result, or one line on standard error.
+/// Needs no display.
 [[nodiscard]] int runBenchRender(const BenchRenderOptions& options);
 
 } // namespace crowd::app

@@ -99,6 +99,22 @@ void addRenderCommand(CLI::App& cli, RenderOptions& options, int& status)
     });
 }
 
+namespace {
+
+void addQualityOptions(CLI::App& command, BenchRenderOptions& options)
+{
+    command.add_flag("--quality", options.quality,
+                     "Also what --detail levels loses beside full detail; more than 0.6 dB or "
+                     "0.010 of structural similarity ends with 1");
+    command
+        .add_option("--thresholds", options.thresholds,
+                    "Three heights in pixels, falling, below which a coarser level is drawn")
+        ->expected(model::kMaxLevels - 1)
+        ->check(CLI::Range(0.0F, 10000.0F));
+}
+
+} // namespace
+
 void addBenchRenderCommand(CLI::App& bench, BenchRenderOptions& options, int& status)
 {
     CLI::App* command = bench.add_subcommand(
@@ -129,6 +145,7 @@ void addBenchRenderCommand(CLI::App& bench, BenchRenderOptions& options, int& st
     command->add_option("--samples", options.samples, "Samples per pixel, for both ways")
         ->check(CLI::Range(0, 16))
         ->capture_default_str();
+    addQualityOptions(*command, options);
     command->add_flag("--edges", options.edges, "Smooth edges of ours in the last step");
     command
         ->add_option("--clock", options.clock,

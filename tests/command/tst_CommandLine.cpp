@@ -109,6 +109,9 @@ void CommandLineTest::jsonIsAloneOnStandardOutput_data()
         << QStringLiteral("bench render --count 4 --frames 2 --size 64x36 --clock cpu --samples 0")
         << QStringLiteral("count triangles width height detail median_ms p95_ms draws "
                           "triangles_drawn bytes_per_keyframe reference ratio samples clock");
+    QTest::newRow("what levels lose") << QStringLiteral("bench render --count 60 --frames 1 --size "
+                                                        "256x144 --detail levels --quality")
+                                      << QStringLiteral("full_psnr full_ssim lost_psnr lost_ssim");
     QTest::newRow("painting") << QStringLiteral("bench paint --count 100")
                               << QStringLiteral("count dab_ms_p50 dab_ms_p99 undo_ms frame_ms "
                                                 "candidates_per_dab candidates_ratio_100k_10k "
