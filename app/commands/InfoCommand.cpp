@@ -14,7 +14,7 @@
 #include "model/project/AssetPaths.h"
 #include "model/project/ProjectFile.h"
 #include "model/project/SceneAssets.h"
-#include "widgets/docks/RuleProblems.h"
+#include "widgets/rules/RuleProblems.h"
 
 namespace crowd::app {
 

@@ -15,7 +15,7 @@
 #include "app/window/MainWindow.h"
 #include "widgets/actions/MenuText.h"
 #include "widgets/dialogs/FindDialog.h"
-#include "widgets/docks/FieldForm.h"
+#include "widgets/forms/FieldForm.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::app {

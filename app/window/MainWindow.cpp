@@ -34,7 +34,7 @@
 #include "widgets/dialogs/WelcomePage.h"
 #include "widgets/docks/DockBase.h"
 #include "widgets/docks/Docks.h"
-#include "widgets/docks/RuleProblems.h"
+#include "widgets/rules/RuleProblems.h"
 #include "widgets/state/Cues.h"
 
 namespace crowd::app {

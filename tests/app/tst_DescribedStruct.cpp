@@ -18,11 +18,11 @@
 #include "model/describe/FieldChecks.h"
 #include "model/describe/FieldJson.h"
 #include "tests/program/WindowTest.h"
-#include "widgets/docks/ClipMix.h"
-#include "widgets/docks/CurveEditor.h"
-#include "widgets/docks/FieldForm.h"
-#include "widgets/docks/RangeSlider.h"
-#include "widgets/docks/ValueSlider.h"
+#include "widgets/forms/ClipMix.h"
+#include "widgets/forms/CurveEditor.h"
+#include "widgets/forms/FieldForm.h"
+#include "widgets/forms/RangeSlider.h"
+#include "widgets/forms/ValueSlider.h"
 
 using namespace crowd;
 using namespace crowd::model;

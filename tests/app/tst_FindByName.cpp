@@ -12,7 +12,7 @@
 #include "tests/app/SceneWindow.h"
 #include "tests/program/WindowTest.h"
 #include "widgets/dialogs/FindDialog.h"
-#include "widgets/docks/FieldForm.h"
+#include "widgets/forms/FieldForm.h"
 
 using namespace crowd;
 using namespace crowd::testing;

@@ -26,8 +26,8 @@
 #include "model/pick/StageRays.h"
 #include "tests/app/SceneWindow.h"
 #include "tests/program/WindowTest.h"
-#include "widgets/docks/CueBar.h"
-#include "widgets/docks/RuleEditor.h"
+#include "widgets/rules/CueBar.h"
+#include "widgets/rules/RuleEditor.h"
 
 using namespace crowd;
 using namespace crowd::testing;

@@ -20,7 +20,7 @@
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "widgets/docks/IndividualDock.h"
-#include "widgets/docks/NumberField.h"
+#include "widgets/forms/NumberField.h"
 
 using namespace crowd;
 using namespace crowd::widgets;

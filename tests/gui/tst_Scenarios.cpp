@@ -18,9 +18,9 @@
 #include "model/scene/NearestPath.h"
 #include "tests/gui/Editor.h"
 #include "tests/program/WindowTest.h"
-#include "widgets/docks/FieldForm.h"
-#include "widgets/docks/RuleNames.h"
-#include "widgets/docks/ValueSlider.h"
+#include "widgets/forms/FieldForm.h"
+#include "widgets/forms/ValueSlider.h"
+#include "widgets/rules/RuleNames.h"
 
 using namespace crowd;
 using namespace crowd::widgets;

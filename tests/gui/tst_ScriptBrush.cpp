@@ -14,7 +14,7 @@
 #include "tests/program/WindowTest.h"
 #include "widgets/docks/BrushPaletteDock.h"
 #include "widgets/docks/BrushSettingsDock.h"
-#include "widgets/docks/ValueSlider.h"
+#include "widgets/forms/ValueSlider.h"
 #include "widgets/viewport/WorkBar.h"
 
 using namespace crowd;

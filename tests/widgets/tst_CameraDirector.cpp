@@ -11,10 +11,10 @@
 #include "tests/widgets/Desk.h"
 #include "widgets/commands/TimelineCommands.h"
 #include "widgets/commands/ViewCommands.h"
-#include "widgets/docks/FieldForm.h"
 #include "widgets/docks/TimelineDock.h"
-#include "widgets/docks/TimelineView.h"
-#include "widgets/docks/ValueSlider.h"
+#include "widgets/forms/FieldForm.h"
+#include "widgets/forms/ValueSlider.h"
+#include "widgets/timeline/TimelineView.h"
 
 using namespace crowd;
 using namespace crowd::widgets;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "widgets/docks/ClipPopup.h"
+#include "widgets/forms/ClipPopup.h"
 
 #include <QtTest/QTest>
 #include <QtWidgets/QCheckBox>
@@ -8,7 +8,7 @@
 #include "tests/widgets/Desk.h"
 #include "widgets/dialogs/TemplatePreview.h"
 #include "widgets/docks/BrushSettingsDock.h"
-#include "widgets/docks/ClipMix.h"
+#include "widgets/forms/ClipMix.h"
 
 using namespace crowd;
 using namespace crowd::testing;

@@ -5,12 +5,12 @@
 #include <QtWidgets/QLineEdit>
 
 #include "tests/program/WindowTest.h"
-#include "widgets/docks/ClipMix.h"
-#include "widgets/docks/CurveEditor.h"
-#include "widgets/docks/NumberList.h"
-#include "widgets/docks/RangeSlider.h"
 #include "widgets/docks/SwatchGrid.h"
-#include "widgets/docks/ValueSlider.h"
+#include "widgets/forms/ClipMix.h"
+#include "widgets/forms/CurveEditor.h"
+#include "widgets/forms/NumberList.h"
+#include "widgets/forms/RangeSlider.h"
+#include "widgets/forms/ValueSlider.h"
 
 using namespace crowd;
 using namespace crowd::widgets;

@@ -14,9 +14,9 @@
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "widgets/docks/Docks.h"
-#include "widgets/docks/RangeSlider.h"
 #include "widgets/docks/TemplateDelegate.h"
-#include "widgets/docks/ValueSlider.h"
+#include "widgets/forms/RangeSlider.h"
+#include "widgets/forms/ValueSlider.h"
 #include "widgets/theme/Theme.h"
 
 using namespace crowd;

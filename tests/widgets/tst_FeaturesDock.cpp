@@ -24,11 +24,11 @@
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "widgets/commands/FeatureCommands.h"
-#include "widgets/docks/ColourRow.h"
 #include "widgets/docks/FeaturePreview.h"
 #include "widgets/docks/FeaturesDock.h"
-#include "widgets/docks/FieldForm.h"
 #include "widgets/docks/IndividualDock.h"
+#include "widgets/forms/ColourRow.h"
+#include "widgets/forms/FieldForm.h"
 
 using namespace crowd;
 using namespace crowd::widgets;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "widgets/docks/LastFolder.h"
+#include "widgets/forms/LastFolder.h"
 
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>

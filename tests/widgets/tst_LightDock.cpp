@@ -11,8 +11,8 @@
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "widgets/commands/LightCommands.h"
-#include "widgets/docks/FieldForm.h"
 #include "widgets/docks/LightDock.h"
+#include "widgets/forms/FieldForm.h"
 
 using namespace crowd;
 using namespace crowd::widgets;

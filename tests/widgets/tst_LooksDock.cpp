@@ -9,8 +9,8 @@
 #include "tests/widgets/Desk.h"
 #include "widgets/commands/LookCommands.h"
 #include "widgets/commands/ViewCommands.h"
-#include "widgets/docks/FieldForm.h"
 #include "widgets/docks/LooksDock.h"
+#include "widgets/forms/FieldForm.h"
 #include "widgets/state/ShownLook.h"
 
 using namespace crowd;

@@ -11,8 +11,8 @@
 #include "tests/widgets/Hand.h"
 #include "tests/widgets/SmallTheatre.h"
 #include "widgets/commands/RelationCommands.h"
-#include "widgets/docks/FieldForm.h"
 #include "widgets/docks/RelationsDock.h"
+#include "widgets/forms/FieldForm.h"
 #include "widgets/viewport/RelationArcs.h"
 
 using namespace crowd;

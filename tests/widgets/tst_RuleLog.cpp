@@ -2,7 +2,7 @@
 #include <QtTest/QTest>
 
 #include "tests/program/Test.h"
-#include "widgets/docks/RuleLog.h"
+#include "widgets/rules/RuleLog.h"
 
 using namespace crowd;
 using namespace crowd::widgets;

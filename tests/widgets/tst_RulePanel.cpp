@@ -8,10 +8,10 @@
 #include "model/document/SceneEdit.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
-#include "widgets/docks/CueForm.h"
-#include "widgets/docks/RuleProblems.h"
-#include "widgets/docks/RuleTexts.h"
 #include "widgets/docks/RulesDock.h"
+#include "widgets/rules/CueForm.h"
+#include "widgets/rules/RuleProblems.h"
+#include "widgets/rules/RuleTexts.h"
 
 using namespace crowd;
 using namespace crowd::widgets;

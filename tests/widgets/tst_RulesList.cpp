@@ -10,9 +10,9 @@
 #include "model/document/SceneEdit.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
-#include "widgets/docks/RuleItemDelegate.h"
-#include "widgets/docks/RuleTexts.h"
 #include "widgets/docks/RulesDock.h"
+#include "widgets/rules/RuleItemDelegate.h"
+#include "widgets/rules/RuleTexts.h"
 
 using namespace crowd;
 using namespace crowd::widgets;

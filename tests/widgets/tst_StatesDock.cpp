@@ -21,10 +21,10 @@
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "widgets/commands/StateCommands.h"
-#include "widgets/docks/FieldForm.h"
-#include "widgets/docks/PointPicking.h"
 #include "widgets/docks/StatePictures.h"
 #include "widgets/docks/StatesDock.h"
+#include "widgets/forms/FieldForm.h"
+#include "widgets/forms/PointPicking.h"
 
 using namespace crowd;
 using namespace crowd::widgets;

@@ -12,11 +12,11 @@
 #include "model/rules/RuleSets.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
-#include "widgets/docks/FieldForm.h"
 #include "widgets/docks/TimelineDock.h"
-#include "widgets/docks/TimelineLanes.h"
-#include "widgets/docks/TimelineView.h"
+#include "widgets/forms/FieldForm.h"
 #include "widgets/state/Cues.h"
+#include "widgets/timeline/TimelineLanes.h"
+#include "widgets/timeline/TimelineView.h"
 
 using namespace crowd;
 using namespace crowd::widgets;

@@ -10,8 +10,8 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "model/document/SceneEdit.h"
-#include "widgets/docks/RuleFields.h"
-#include "widgets/docks/WrapRow.h"
+#include "widgets/forms/WrapRow.h"
+#include "widgets/rules/RuleFields.h"
 
 namespace crowd::widgets {
 

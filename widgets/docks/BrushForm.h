@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/brush/BrushSettings.h"
-#include "widgets/docks/FieldForm.h"
+#include "widgets/forms/FieldForm.h"
 
 namespace crowd::widgets {
 

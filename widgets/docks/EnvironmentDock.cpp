@@ -16,8 +16,8 @@
 #include "model/document/SceneEdit.h"
 #include "widgets/docks/BranchList.h"
 #include "widgets/docks/EnvironmentTree.h"
-#include "widgets/docks/NumberField.h"
 #include "widgets/docks/SurfaceForm.h"
+#include "widgets/forms/NumberField.h"
 #include "widgets/state/BrushTexts.h"
 
 namespace crowd::widgets {

@@ -15,7 +15,7 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "widgets/commands/GroupCommands.h"
-#include "widgets/docks/PanelButton.h"
+#include "widgets/forms/PanelButton.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/theme/Icons.h"
 

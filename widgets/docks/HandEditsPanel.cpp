@@ -15,8 +15,8 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "widgets/commands/HandEditCommands.h"
-#include "widgets/docks/FieldForm.h"
-#include "widgets/docks/PanelButton.h"
+#include "widgets/forms/FieldForm.h"
+#include "widgets/forms/PanelButton.h"
 
 namespace crowd::widgets {
 

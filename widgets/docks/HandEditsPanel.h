@@ -7,7 +7,7 @@
 #include <QtWidgets/QWidget>
 
 #include "model/scene/HandEdit.h"
-#include "widgets/docks/HeldEdit.h"
+#include "widgets/forms/HeldEdit.h"
 #include "widgets/state/EditorState.h"
 
 class QCheckBox;

@@ -18,7 +18,7 @@
 
 #include "model/population/PropertyValues.h"
 #include "widgets/docks/FeatureRows.h"
-#include "widgets/docks/NumberList.h"
+#include "widgets/forms/NumberList.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {

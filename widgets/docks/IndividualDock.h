@@ -10,8 +10,8 @@
 #include "model/population/Properties.h"
 #include "widgets/docks/DockBase.h"
 #include "widgets/docks/IndividualWriter.h"
-#include "widgets/docks/NumberField.h"
 #include "widgets/docks/SelectedPeople.h"
+#include "widgets/forms/NumberField.h"
 #include "widgets/state/EditorState.h"
 
 class QCheckBox;

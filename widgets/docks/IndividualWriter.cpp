@@ -4,7 +4,7 @@
 #include "model/brush/IndividualEdits.h"
 #include "model/document/SceneEdit.h"
 #include "model/population/PropertyValues.h"
-#include "widgets/docks/NumberList.h"
+#include "widgets/forms/NumberList.h"
 
 namespace crowd::widgets {
 

@@ -15,9 +15,9 @@
 
 #include "model/scene/ReadyLight.h"
 #include "widgets/commands/LightCommands.h"
-#include "widgets/docks/FieldForm.h"
-#include "widgets/docks/PanelButton.h"
-#include "widgets/docks/PointPicking.h"
+#include "widgets/forms/FieldForm.h"
+#include "widgets/forms/PanelButton.h"
+#include "widgets/forms/PointPicking.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/theme/Icons.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "widgets/docks/DockBase.h"
-#include "widgets/docks/HeldEdit.h"
+#include "widgets/forms/HeldEdit.h"
 #include "widgets/state/EditorState.h"
 
 class QLabel;

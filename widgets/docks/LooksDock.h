@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "widgets/docks/DockBase.h"
-#include "widgets/docks/HeldEdit.h"
+#include "widgets/forms/HeldEdit.h"
 #include "widgets/state/EditorState.h"
 
 class QLabel;

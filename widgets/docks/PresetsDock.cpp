@@ -12,8 +12,8 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "model/base/Translated.h"
-#include "widgets/docks/LastFolder.h"
-#include "widgets/docks/PanelButton.h"
+#include "widgets/forms/LastFolder.h"
+#include "widgets/forms/PanelButton.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {

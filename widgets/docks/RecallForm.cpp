@@ -8,7 +8,7 @@
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QVBoxLayout>
 
-#include "widgets/docks/FieldForm.h"
+#include "widgets/forms/FieldForm.h"
 #include "widgets/state/SceneChanges.h"
 
 namespace crowd::widgets {

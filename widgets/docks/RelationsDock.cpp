@@ -16,8 +16,8 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "widgets/commands/RelationCommands.h"
-#include "widgets/docks/FieldForm.h"
-#include "widgets/docks/PanelButton.h"
+#include "widgets/forms/FieldForm.h"
+#include "widgets/forms/PanelButton.h"
 #include "widgets/state/RelationTexts.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/theme/Icons.h"

@@ -15,12 +15,12 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "model/base/Translated.h"
-#include "widgets/docks/CueBar.h"
-#include "widgets/docks/NamesForm.h"
-#include "widgets/docks/RuleEditor.h"
-#include "widgets/docks/RuleItemDelegate.h"
-#include "widgets/docks/RuleProblems.h"
-#include "widgets/docks/RuleTexts.h"
+#include "widgets/rules/CueBar.h"
+#include "widgets/rules/NamesForm.h"
+#include "widgets/rules/RuleEditor.h"
+#include "widgets/rules/RuleItemDelegate.h"
+#include "widgets/rules/RuleProblems.h"
+#include "widgets/rules/RuleTexts.h"
 #include "widgets/state/SceneChanges.h"
 
 namespace crowd::widgets {

@@ -6,8 +6,8 @@
 #include <QtCore/QTimer>
 
 #include "widgets/docks/DockBase.h"
-#include "widgets/docks/RuleCommands.h"
-#include "widgets/docks/RuleLog.h"
+#include "widgets/rules/RuleCommands.h"
+#include "widgets/rules/RuleLog.h"
 #include "widgets/state/EditorState.h"
 
 class QBoxLayout;

@@ -10,7 +10,7 @@
 #include "model/base/Random.h"
 #include "model/brush/StrokeText.h"
 #include "widgets/docks/BrushForm.h"
-#include "widgets/docks/PanelButton.h"
+#include "widgets/forms/PanelButton.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {

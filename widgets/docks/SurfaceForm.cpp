@@ -9,7 +9,7 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "model/document/SceneEdit.h"
-#include "widgets/docks/NumberField.h"
+#include "widgets/forms/NumberField.h"
 #include "widgets/state/SceneChanges.h"
 
 namespace crowd::widgets {

@@ -16,8 +16,8 @@
 #include "model/base/Translated.h"
 #include "widgets/commands/TakeCommands.h"
 #include "widgets/docks/HandEditsPanel.h"
-#include "widgets/docks/PanelButton.h"
 #include "widgets/docks/TakeFigures.h"
+#include "widgets/forms/PanelButton.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/theme/Icons.h"
 

@@ -14,7 +14,7 @@
 #include "model/document/SceneEdit.h"
 #include "widgets/dialogs/TemplatePictures.h"
 #include "widgets/docks/TemplateDelegate.h"
-#include "widgets/docks/ValueSlider.h"
+#include "widgets/forms/ValueSlider.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/theme/Icons.h"
 

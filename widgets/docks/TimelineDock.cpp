@@ -16,10 +16,10 @@
 #include "model/base/Translated.h"
 #include "model/rules/MarkFlaws.h"
 #include "widgets/commands/TimelineCommands.h"
-#include "widgets/docks/FieldForm.h"
-#include "widgets/docks/PanelButton.h"
-#include "widgets/docks/TimelineView.h"
+#include "widgets/forms/FieldForm.h"
+#include "widgets/forms/PanelButton.h"
 #include "widgets/state/SceneChanges.h"
+#include "widgets/timeline/TimelineView.h"
 
 namespace crowd::widgets {
 

@@ -5,7 +5,7 @@
 
 #include "model/scene/Timeline.h"
 #include "widgets/docks/DockBase.h"
-#include "widgets/docks/HeldEdit.h"
+#include "widgets/forms/HeldEdit.h"
 #include "widgets/state/EditorState.h"
 
 class QComboBox;
