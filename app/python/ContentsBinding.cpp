@@ -41,8 +41,6 @@ float finite(float value, const char* name)
     return value;
 }
 
-constexpr float kMostAway = 1e6F; ///< metres, and radians
-
 std::string text(float value)
 {
     return py::str(py::float_(static_cast<double>(value)));
@@ -55,19 +53,6 @@ float within(float value, const char* name, float low, float high)
                           text(low) + " to " + text(high) + ".");
     }
     return value;
-}
-
-float scaleFrom(float value)
-{
-    return within(value, "scale", 1e-4F, 1e4F);
-}
-
-glm::vec3 placeFrom(const Point3& point)
-{
-    for (const float each : point) {
-        within(each, "position", -kMostAway, kMostAway);
-    }
-    return toVector(point, "position");
 }
 
 ClipRole roleNamed(const std::string& key)
@@ -100,23 +85,18 @@ struct ImportArguments
 void ImportArguments::applyTo(TemplateEntry& entry) const
 {
     if (scale) {
-        entry.import.scale = scaleFrom(*scale);
+        entry.import.scale = *scale;
     }
     if (rotation) {
         const auto& [w, x, y, z] = *rotation;
-        const glm::quat turn(finite(w, "rotation"), finite(x, "rotation"), finite(y, "rotation"),
-                             finite(z, "rotation"));
-        if (!(glm::length(turn) > 0.5F && glm::length(turn) < 2.0F)) { // as files may have it
-            throw ScriptError("rotation is a quaternion (w, x, y, z) of length 1; (1, 0, 0, 0) "
-                              "does not turn. The length of what was given is " +
-                              text(glm::length(turn)) + ".");
-        }
-        entry.import.rotation = turn;
+        entry.import.rotation = {finite(w, "rotation"), finite(x, "rotation"),
+                                 finite(y, "rotation"), finite(z, "rotation")};
     }
     if (groundOffset) {
-        entry.import.groundOffset = within(*groundOffset, "ground_offset", -1000.0F, 1000.0F);
+        entry.import.groundOffset = *groundOffset;
     }
     entry.import.removeRootMotion = removeRootMotion.value_or(entry.import.removeRootMotion);
+    needLegal(fieldsOf<ImportSettings>(), &entry.import);
     if (clipSpeeds) {
         entry.clipSpeeds.clear();
         for (const Maybe<float>& each : *clipSpeeds) {
@@ -212,9 +192,10 @@ StageHandle addStageGiven(const ScenePtr& scene, const FilePath& path, const std
     entry.id = id;
     entry.path = path.string();
     entry.name = name;
-    entry.position = placeFrom(position);
-    entry.headingRadians = within(heading, "heading", -kMostAway, kMostAway);
-    entry.scale = scaleFrom(scale);
+    entry.position = {position[0], position[1], position[2]};
+    entry.headingRadians = heading;
+    entry.scale = scale;
+    needLegal(fieldsOf<StageEntry>(), &entry);
     return stageOf(scene, valueOrRaise(addStage(*scene, entry)));
 }
 
@@ -226,14 +207,11 @@ void changeStageGiven(const ScenePtr& scene, const py::object& which, const Mayb
     entry.path = path ? path->string() : entry.path;
     entry.name = name.value_or(entry.name);
     if (position) {
-        entry.position = placeFrom(*position);
+        entry.position = {(*position)[0], (*position)[1], (*position)[2]};
     }
-    if (heading) {
-        entry.headingRadians = within(*heading, "heading", -kMostAway, kMostAway);
-    }
-    if (scale) {
-        entry.scale = scaleFrom(*scale);
-    }
+    entry.headingRadians = heading.value_or(entry.headingRadians);
+    entry.scale = scale.value_or(entry.scale);
+    needLegal(fieldsOf<StageEntry>(), &entry);
     valueOrRaise(changeStage(*scene, entry));
 }
 
@@ -319,7 +297,8 @@ void bindLighting(py::module_& module)
                 return found->light;
             },
             py::arg("key"),
-            "A ready-made one: \"noon\", \"afternoon\", \"dusk\", \"overcast\" or \"night\".");
+            "A ready-made one: \"noon\", \"afternoon\", \"dusk\", \"overcast\", \"night\" or "
+            "\"studio\".");
 }
 
 void bindStage(py::module_& module)

@@ -38,6 +38,7 @@ bool isFinite(const FieldValue& value)
                    [&](double number) { return isNumber(number); },
                    [&](const ValueRange& range) { return isNumber(range.low, range.high); },
                    [&](const glm::vec3& point) { return isNumber(point.x, point.y, point.z); },
+                   [&](const glm::quat& turn) { return isNumber(turn.w, turn.x, turn.y, turn.z); },
                    [](const DistributionCurve& curve) {
                        return std::ranges::all_of(curve.weights,
                                                   [](float each) { return std::isfinite(each); });
@@ -235,6 +236,44 @@ void listAttribute(py::object& type, const FieldInfo& field, const StructOf& str
     }
 }
 
+void rangeAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
+{
+    attribute<Range>(
+        type, field, structOf,
+        [](const FieldValue& value) {
+            const auto range = std::get<ValueRange>(value);
+            return Range(range.low, range.high);
+        },
+        [](const Range& range) {
+            return FieldValue(ValueRange{range.first, range.second});
+        });
+}
+
+void pointAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
+{
+    attribute<Point3>(
+        type, field, structOf,
+        [](const FieldValue& value) {
+            const auto point = std::get<glm::vec3>(value);
+            return Point3{point.x, point.y, point.z};
+        },
+        [](const Point3& point) { return FieldValue(glm::vec3(point[0], point[1], point[2])); });
+}
+
+/// A quaternion (w, x, y, z).
+void turnAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
+{
+    attribute<std::array<float, 4>>(
+        type, field, structOf,
+        [](const FieldValue& value) {
+            const auto turn = std::get<glm::quat>(value);
+            return std::array{turn.w, turn.x, turn.y, turn.z};
+        },
+        [](const std::array<float, 4>& turn) {
+            return FieldValue(glm::quat(turn[0], turn[1], turn[2], turn[3]));
+        });
+}
+
 /// Templates by number. Settings of creation remember whose they were.
 void mixAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
 {
@@ -401,25 +440,11 @@ void bindField(py::object& type, const FieldInfo& field, const StructOf& structO
     } else if (field.is<std::optional<bool>>()) {
         plainAttribute<std::optional<bool>>(type, field, structOf);
     } else if (field.is<ValueRange>()) {
-        attribute<Range>(
-            type, field, structOf,
-            [](const FieldValue& value) {
-                const auto range = std::get<ValueRange>(value);
-                return Range(range.low, range.high);
-            },
-            [](const Range& range) {
-                return FieldValue(ValueRange{range.first, range.second});
-            });
+        rangeAttribute(type, field, structOf);
     } else if (field.is<glm::vec3>()) {
-        attribute<Point3>(
-            type, field, structOf,
-            [](const FieldValue& value) {
-                const auto point = std::get<glm::vec3>(value);
-                return Point3{point.x, point.y, point.z};
-            },
-            [](const Point3& point) {
-                return FieldValue(glm::vec3(point[0], point[1], point[2]));
-            });
+        pointAttribute(type, field, structOf);
+    } else if (field.is<glm::quat>()) {
+        turnAttribute(type, field, structOf);
     } else if (field.is<std::vector<TemplateWeight>>()) {
         mixAttribute(type, field, structOf);
     } else if (field.is<Tint>()) {
@@ -433,6 +458,9 @@ std::string signatureOf(const char* type, std::span<const FieldInfo> fields)
 {
     std::string text = "__init__(self: crowdbrush." + std::string(type) + ", *";
     for (const FieldInfo& field : fields) {
+        if (!field.meta.isStored) {
+            continue;
+        }
         const char* name = field.is<bool>()        ? "bool"
                            : field.is<glm::vec3>() ? "Sequence[float]"
                            : field.is<float>()     ? "float"
@@ -445,7 +473,9 @@ std::string signatureOf(const char* type, std::span<const FieldInfo> fields)
 void needLegal(std::span<const FieldInfo> fields, const void* object)
 {
     for (const FieldInfo& field : fields) {
-        valueOrRaise(checkField(field, field.get(object), attributeOf(field.meta.key)));
+        if (field.meta.isStored) {
+            valueOrRaise(checkField(field, field.get(object), attributeOf(field.meta.key)));
+        }
     }
 }
 
@@ -454,7 +484,7 @@ void setFields(const py::object& self, const py::kwargs& given, std::span<const 
     for (const auto& [key, value] : given) {
         const std::string name = py::str(key).cast<std::string>();
         const bool isThere = std::ranges::any_of(fields, [&name](const FieldInfo& field) {
-            return attributeOf(field.meta.key) == name;
+            return field.meta.isStored && attributeOf(field.meta.key) == name;
         });
         if (!isThere) {
             throw py::type_error(py::str(self.get_type().attr("__name__")).cast<std::string>() +

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <thread>
 
 #include <pybind11/eval.h>
@@ -15,6 +17,7 @@
 #include "app/python/OutsidePython.h"
 #include "app/python/ScriptEnvironment.h"
 #include "behavior/session/SceneMotion.h"
+#include "model/describe/FieldChecks.h"
 #include "model/project/LocateAssets.h"
 #include "model/view/CameraTrack.h"
 #include "model/view/PropertyPaint.h"
@@ -241,12 +244,12 @@ Camera exactCamera(const Point3& position, const std::array<float, 4>& orientati
     camera.fovYRadians = fovRadians;
     camera.orthographicHeight = height;
     camera.pivotDistance = pivotDistance;
-    const float length = glm::length(camera.orientation);
-    if (!(std::abs(length - 1.0F) < 1e-2F) || !(fovRadians > 0.0F && fovRadians < 3.1F) ||
-        !(height > 0.0F && std::isfinite(height)) ||
-        !(pivotDistance > 0.0F && std::isfinite(pivotDistance))) {
-        throw ScriptError("A camera needs an orientation of length 1, a fov_radians from 0 to 3.1, "
-                          "and a height and a pivot_distance above zero.");
+    for (const FieldInfo& field : fieldsOf<Camera>()) {
+        const std::string_view key = field.meta.key;
+        const std::string name = key == "fovY"                 ? "fov_radians"
+                                 : key == "orthographicHeight" ? "height"
+                                                               : attributeOf(key);
+        valueOrRaise(checkField(field, field.get(&camera), name));
     }
     return camera;
 }

@@ -211,19 +211,12 @@ std::string changes(const SceneDelta& delta, const Scene& after)
     return text;
 }
 
-void addImport(Call& call, const ImportSettings& now, const ImportSettings& was)
+/// All in which two described objects differ.
+template<class S>
+void addFields(Call& call, const S& now, const S& was)
 {
-    if (now.scale != was.scale) {
-        call.add("scale", pythonText(now.scale));
-    }
-    if (now.rotation != was.rotation) {
-        call.add("rotation", pythonText(now.rotation));
-    }
-    if (now.groundOffset != was.groundOffset) {
-        call.add("ground_offset", pythonText(now.groundOffset));
-    }
-    if (now.removeRootMotion != was.removeRootMotion) {
-        call.add("remove_root_motion", pythonText(now.removeRootMotion));
+    for (const auto& [name, value] : fieldArguments(fieldsOf<S>(), &was, &now)) {
+        call.add(name, value);
     }
 }
 
@@ -280,7 +273,7 @@ std::string templateCall(const EntryDelta<TemplateEntry>& delta)
     const TemplateEntry& now = *delta.after;
     const TemplateEntry was = delta.before.value_or(TemplateEntry{});
     Call call = assetCall(delta, "template");
-    addImport(call, now.import, was.import);
+    addFields(call, now.import, was.import);
     if (!std::ranges::equal(now.clipSpeeds, was.clipSpeeds, sameBits)) {
         addSpeeds(call, now.clipSpeeds);
     }
@@ -298,15 +291,7 @@ std::string stageCall(const EntryDelta<StageEntry>& delta)
     const StageEntry& now = *delta.after;
     const StageEntry was = delta.before.value_or(StageEntry{});
     Call call = assetCall(delta, "stage");
-    if (now.position != was.position) {
-        call.add("position", pythonText(now.position));
-    }
-    if (now.headingRadians != was.headingRadians) {
-        call.add("heading", pythonText(now.headingRadians));
-    }
-    if (now.scale != was.scale) {
-        call.add("scale", pythonText(now.scale));
-    }
+    addFields(call, now, was);
     return call.line();
 }
 

@@ -114,6 +114,21 @@ std::string textOf(const FieldInfo& /*field*/, const T& value)
 
 } // namespace
 
+std::vector<std::pair<std::string, std::string>> fieldArguments(std::span<const FieldInfo> fields,
+                                                                const void* was, const void* now)
+{
+    std::vector<std::pair<std::string, std::string>> arguments;
+    for (const FieldInfo& field : fields) {
+        const FieldValue value = field.get(now);
+        if (field.meta.isStored && value != field.get(was)) {
+            arguments.emplace_back(
+                attributeOf(field.meta.key),
+                std::visit([&](const auto& held) { return textOf(field, held); }, value));
+        }
+    }
+    return arguments;
+}
+
 std::string fieldChanges(std::span<const FieldInfo> fields, const void* was, const void* now,
                          const std::string& name)
 {

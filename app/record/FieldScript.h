@@ -3,6 +3,8 @@
 
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "model/describe/Field.h"
 
@@ -13,5 +15,9 @@ namespace crowd::app {
 /// enumerations that are no Python enumeration are texts, their choices' keys.
 [[nodiscard]] std::string fieldChanges(std::span<const model::FieldInfo> fields, const void* was,
                                        const void* now, const std::string& name);
+
+/// Arguments of a Python call, name and value: the stored fields in which two objects differ.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>>
+fieldArguments(std::span<const model::FieldInfo> fields, const void* was, const void* now);
 
 } // namespace crowd::app

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <QtCore/QtGlobal>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
 #include "model/base/Color.h"
@@ -45,10 +46,10 @@ struct BrushSettings;
 
 /// A value of any described member. Integers of all widths and members of enumerations are
 /// std::int64_t here; float stays float, so that its text is as short as its precision.
-using FieldValue =
-    std::variant<bool, std::int64_t, float, double, std::string, PaintColor, Tint, ValueRange,
-                 glm::vec3, std::optional<bool>, std::vector<int>, std::vector<PaintColor>,
-                 std::vector<ClipWeight>, std::vector<TemplateWeight>, DistributionCurve>;
+using FieldValue = std::variant<bool, std::int64_t, float, double, std::string, PaintColor, Tint,
+                                ValueRange, glm::vec3, glm::quat, std::optional<bool>,
+                                std::vector<int>, std::vector<PaintColor>, std::vector<ClipWeight>,
+                                std::vector<TemplateWeight>, DistributionCurve>;
 
 /// What a field's being shown may depend on besides its own struct; null where there is none.
 struct FieldContext
@@ -82,7 +83,7 @@ template<class S, class T>
     return {member, meta, nullptr};
 }
 
-/// What forms show and set although no member is just that. Files and scripts do not have it.
+/// What forms show and set although no member is just that. See computed() and stored().
 template<class S, class T>
 struct ComputedField
 {
@@ -90,13 +91,31 @@ struct ComputedField
     void (*set)(S&, T);
     FieldMeta meta;
     bool (*isShown)(const S&, const FieldContext&) = nullptr;
+
+    /// As Field::when.
+    [[nodiscard]] constexpr ComputedField when(bool (*condition)(const S&,
+                                                                 const FieldContext&)) const
+    {
+        ComputedField copy = *this;
+        copy.isShown = condition;
+        return copy;
+    }
 };
 
+/// Files and scripts do not have it.
 template<class S, class T>
 [[nodiscard]] constexpr ComputedField<S, T> computed(T (*get)(const S&), void (*set)(S&, T),
                                                      FieldMeta meta)
 {
     meta.isStored = false;
+    return {get, set, meta};
+}
+
+/// What is stored in another form than its member has, as an enumeration that files know as a bool.
+template<class S, class T>
+[[nodiscard]] constexpr ComputedField<S, T> stored(T (*get)(const S&), void (*set)(S&, T),
+                                                   const FieldMeta& meta)
+{
     return {get, set, meta};
 }
 

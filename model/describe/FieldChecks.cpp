@@ -111,6 +111,16 @@ Result<void> checkField(const FieldInfo& field, const FieldValue& value, const s
             [&](const glm::vec3& point) {
                 return checkEach(meta, std::array{point.x, point.y, point.z}, name);
             },
+            [&](const glm::quat& turn) -> Result<void> {
+                const float length = glm::length(turn); // as files may have it
+                return length > 0.5F && length < 2.0F
+                           ? Result<void>()
+                           : Error{QT_TRANSLATE_NOOP("Messages",
+                                                     "%1 is a quaternion (w, x, y, z) of length 1; "
+                                                     "(1, 0, 0, 0) does not turn. The length of "
+                                                     "what was given is %2."),
+                                   name, shortNumber(static_cast<double>(length))};
+            },
             [&](const std::vector<ClipWeight>& clips) { return checkWeights(clips, name); },
             [&](const std::vector<TemplateWeight>& mix) { return checkWeights(mix, name); },
             [&](const DistributionCurve& curve) { return checkEach(meta, curve.weights, name); },

@@ -90,6 +90,10 @@ json toJson(const FieldMeta&, const glm::vec3& value)
 {
     return numbers(value);
 }
+json toJson(const FieldMeta&, const glm::quat& value)
+{
+    return numbers(value);
+}
 json toJson(const FieldMeta&, const std::optional<bool>& value)
 {
     return value ? json(*value) : json();
@@ -227,6 +231,10 @@ void readValue(JsonFields& fields, const FieldMeta& meta, glm::vec3& value)
             fields.complain(meta.key, kMustLieBetween, meta.low, meta.high);
         }
     }
+}
+void readValue(JsonFields& fields, const FieldMeta& meta, glm::quat& value)
+{
+    fields.read(meta.key, value);
 }
 void readValue(JsonFields& fields, const FieldMeta& meta, std::optional<bool>& value)
 {

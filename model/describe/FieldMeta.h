@@ -38,6 +38,8 @@ enum class FieldRole : std::uint8_t {
     RelationKind, ///< the name of a kind of relation
     Individual,   ///< IndividualId; 0: nobody
     Space,        ///< glm::vec3 of the scene, metres, that need not lie on anything
+    Target,       ///< a Space that something is turned to
+    Opening,      ///< radians from edge to edge of a cone around the way to its Target
     Counted,      ///< a whole number that people count from 1 and the program from 0
     Sequence,     ///< whole numbers in an order that means something
     Camera        ///< a camera's name; empty: none

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/describe/FieldJson.h"
 #include "model/project/JsonWriting.h"
 
 namespace crowd::model {
@@ -17,10 +18,9 @@ using nlohmann::json;
 
 json toJson(const ImportSettings& settings)
 {
-    return withUnknown(settings.unknownMembers, {{"scale", number(settings.scale)},
-                                                 {"rotation", numbers(settings.rotation)},
-                                                 {"groundOffset", number(settings.groundOffset)},
-                                                 {"removeRootMotion", settings.removeRootMotion}});
+    json object = withUnknown(settings.unknownMembers, json::object());
+    addFields(object, fieldsOf<ImportSettings>(), &settings);
+    return object;
 }
 
 json toJson(const TemplateEntry& entry)
@@ -49,24 +49,16 @@ json toJson(const TemplateEntry& entry)
 
 json toJson(const StageEntry& entry)
 {
-    return withUnknown(entry.unknownMembers, {{"id", entry.id},
-                                              {"name", entry.name},
-                                              {"path", entry.path},
-                                              {"position", numbers(entry.position)},
-                                              {"heading", number(entry.headingRadians)},
-                                              {"scale", number(entry.scale)}});
+    json object = withUnknown(entry.unknownMembers,
+                              {{"id", entry.id}, {"name", entry.name}, {"path", entry.path}});
+    addFields(object, fieldsOf<StageEntry>(), &entry);
+    return object;
 }
 
 ImportSettings readImport(JsonFields fields)
 {
     ImportSettings settings;
-    fields.read("scale", settings.scale);
-    fields.read("rotation", settings.rotation);
-    fields.read("groundOffset", settings.groundOffset);
-    fields.read("removeRootMotion", settings.removeRootMotion);
-    if (settings.scale <= 0.0F) {
-        fields.complain("scale", QT_TRANSLATE_NOOP("Messages", "%1 must be above zero"));
-    }
+    readFields(fields, fieldsOf<ImportSettings>(), &settings);
     settings.unknownMembers = fields.unknown();
     return settings;
 }
@@ -148,12 +140,7 @@ StageEntry stageFrom(JsonFields fields)
     fields.require("id", entry.id);
     requirePath(fields, entry.path);
     fields.read("name", entry.name);
-    fields.read("position", entry.position);
-    fields.read("heading", entry.headingRadians);
-    fields.read("scale", entry.scale);
-    if (entry.scale <= 0.0F) {
-        fields.complain("scale", QT_TRANSLATE_NOOP("Messages", "%1 must be above zero"));
-    }
+    readFields(fields, fieldsOf<StageEntry>(), &entry);
     entry.unknownMembers = fields.unknown();
     return entry;
 }

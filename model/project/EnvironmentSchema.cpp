@@ -105,9 +105,8 @@ const char* referredBy(FieldRole role)
 
 std::string unitOf(const FieldMeta& meta)
 {
-    const std::string unit(meta.role == FieldRole::Angle ? "rad"
-                           : meta.shownScale == 1.0      ? meta.unit
-                                                         : "");
+    const bool isAngle = meta.role == FieldRole::Angle || meta.role == FieldRole::Opening;
+    const std::string unit(isAngle ? "rad" : meta.shownScale == 1.0 ? meta.unit : "");
     const std::size_t first = unit.find_first_not_of(' ');
     return first == std::string::npos ? "" : unit.substr(first);
 }

@@ -14,15 +14,8 @@ using nlohmann::json;
 
 json toJson(const NamedCamera& named)
 {
-    const Camera& camera = named.camera;
-    json object = withUnknown(named.unknownMembers,
-                              {{"name", named.name},
-                               {"position", numbers(camera.position)},
-                               {"orientation", numbers(camera.orientation)},
-                               {"orthographic", camera.projection == Projection::Orthographic},
-                               {"fovY", number(camera.fovYRadians)},
-                               {"orthographicHeight", number(camera.orthographicHeight)},
-                               {"pivotDistance", number(camera.pivotDistance)}});
+    json object = withUnknown(named.unknownMembers, {{"name", named.name}});
+    addFields(object, fieldsOf<Camera>(), &named.camera);
     if (named.look != 0) {
         object["look"] = named.look;
     }
@@ -39,24 +32,11 @@ json toJson(const Lighting& light)
 NamedCamera cameraFrom(JsonFields fields)
 {
     NamedCamera named;
-    bool isOrthographic = false;
     fields.require("name", named.name);
     fields.require("position", named.camera.position);
     fields.require("orientation", named.camera.orientation);
-    fields.read("orthographic", isOrthographic);
-    fields.read("fovY", named.camera.fovYRadians);
-    fields.read("orthographicHeight", named.camera.orthographicHeight);
-    fields.read("pivotDistance", named.camera.pivotDistance);
+    readFields(fields, fieldsOf<Camera>(), &named.camera);
     fields.read("look", named.look);
-    named.camera.projection = isOrthographic ? Projection::Orthographic : Projection::Perspective;
-    if (named.camera.fovYRadians <= 0.01F || named.camera.fovYRadians >= 3.1F) {
-        fields.complain("fovY",
-                        QT_TRANSLATE_NOOP("Messages", "%1 must lie between 0.01 and 3.1 radians"));
-    }
-    if (named.camera.orthographicHeight <= 0.0F || named.camera.pivotDistance <= 0.0F) {
-        fields.complain(
-            "", QT_TRANSLATE_NOOP("Messages", "%1 must have heights and distances above zero"));
-    }
     named.unknownMembers = fields.unknown();
     return named;
 }

@@ -39,6 +39,8 @@ struct ImportSettings
     float groundOffset = 0.0F;                  ///< metres added to Y after scale and rotation
     bool removeRootMotion = true;
     std::string unknownMembers; ///< see Scene::unknownMembers
+
+    static constexpr auto fields();
     friend bool operator==(const ImportSettings&, const ImportSettings&) = default;
 };
 
@@ -71,6 +73,7 @@ struct StageEntry
     std::string unknownMembers; ///< see Scene::unknownMembers
 
     [[nodiscard]] glm::mat4 worldFromStage() const;
+    static constexpr auto fields(); ///< how it is placed
 };
 
 struct NamedCamera
@@ -80,6 +83,66 @@ struct NamedCamera
     LookId look = 0;              ///< that the view takes on with it; 0, or one that is gone: none
     std::string unknownMembers{}; ///< see Scene::unknownMembers
 };
+
+inline constexpr double kMostAway = 1e6; ///< metres, and radians
+
+constexpr auto ImportSettings::fields()
+{
+    using S = ImportSettings;
+    return std::tuple(
+        field(&S::scale,
+              {.key = "scale", .doc = "of what is in the file", .low = 1e-4, .high = 1e4}),
+        field(&S::rotation,
+              {.key = "rotation", .doc = "a quaternion: which way is up and in front"}),
+        field(&S::groundOffset, {.key = "groundOffset",
+                                 .doc = "metres added to Y after scale and rotation",
+                                 .low = -1000.0,
+                                 .high = 1000.0}),
+        field(&S::removeRootMotion,
+              {.key = "removeRootMotion", .doc = "clips that walk away stay where they are"}));
+}
+
+constexpr auto StageEntry::fields()
+{
+    using S = StageEntry;
+    return std::tuple(
+        field(&S::position, {.key = "position",
+                             .label = QT_TRANSLATE_NOOP("Fields", "Position"),
+                             .doc = "of the file's origin",
+                             .unit = QT_TRANSLATE_NOOP("Fields", " m"),
+                             .low = -kMostAway,
+                             .high = kMostAway,
+                             .sliderLow = -50.0,
+                             .sliderHigh = 50.0,
+                             .step = 0.1,
+                             .decimals = 2,
+                             .role = FieldRole::Space}),
+        field(&S::headingRadians, {.key = "heading",
+                                   .label = QT_TRANSLATE_NOOP("Fields", "Turned by"),
+                                   .tip = QT_TRANSLATE_NOOP("Fields", "Around its upright axis"),
+                                   .doc = "around its upright axis",
+                                   .unit = QT_TRANSLATE_NOOP("Fields", "°"),
+                                   .low = -kMostAway,
+                                   .high = kMostAway,
+                                   .sliderLow = -180.0,
+                                   .sliderHigh = 180.0,
+                                   .step = 1.0,
+                                   .decimals = 1,
+                                   .shownScale = 57.29577951308232,
+                                   .role = FieldRole::Angle}),
+        field(&S::scale, {.key = "scale",
+                          .label = QT_TRANSLATE_NOOP("Fields", "Size"),
+                          .doc = "of what is in the file",
+                          .unit = QT_TRANSLATE_NOOP("Fields", " %"),
+                          .low = 1e-4,
+                          .high = 1e4,
+                          .sliderLow = 10.0,
+                          .sliderHigh = 1000.0,
+                          .step = 1.0,
+                          .decimals = 1,
+                          .isLogarithmic = true,
+                          .shownScale = 100.0}));
+}
 
 /// A seat in the world, with the name individuals know it by.
 struct WorldSeat

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "model/base/Bounds.h"
+#include "model/describe/Field.h"
 
 namespace crowd::model {
 
@@ -29,8 +30,71 @@ struct Camera
     [[nodiscard]] glm::vec3 right() const;
     [[nodiscard]] glm::vec3 pivot() const;
     [[nodiscard]] static Camera lookingAt(const glm::vec3& from, const glm::vec3& at);
+
+    static constexpr auto fields();
     friend bool operator==(const Camera&, const Camera&) = default;
 };
+
+constexpr auto Camera::fields()
+{
+    using S = Camera;
+    using C = FieldContext;
+    constexpr double kFarthest = 1e7; // metres
+    constexpr auto isParallel = [](const S& s, const C&) {
+        return s.projection == Projection::Orthographic;
+    };
+    constexpr auto hasAngle = [](const S& s, const C&) {
+        return s.projection == Projection::Perspective;
+    };
+    return std::tuple(
+        field(&S::position,
+              {.key = "position", .doc = "where it stands", .low = -kFarthest, .high = kFarthest}),
+        field(&S::orientation,
+              {.key = "orientation", .doc = "a quaternion: it looks along -Z, with Y up"}),
+        stored<S, bool>([](const S& s) { return s.projection == Projection::Orthographic; },
+                        [](S& s, bool is) {
+                            s.projection = is ? Projection::Orthographic : Projection::Perspective;
+                        },
+                        {.key = "orthographic",
+                         .label = QT_TRANSLATE_NOOP("Fields", "Parallel"),
+                         .tip = QT_TRANSLATE_NOOP("Fields", "Without perspective, as in a plan"),
+                         .doc = "without perspective"}),
+        field(&S::fovYRadians,
+              {.key = "fovY",
+               .label = QT_TRANSLATE_NOOP("Fields", "Angle of View"),
+               .tip = QT_TRANSLATE_NOOP("Fields", "From the picture's lower edge to its upper one. "
+                                                  "Small: as through a long lens; large: a wide "
+                                                  "one"),
+               .doc = "from the lower edge to the upper one, perspective",
+               .unit = QT_TRANSLATE_NOOP("Fields", "°"),
+               .low = 0.01,
+               .high = 3.1,
+               .sliderLow = 5.0,
+               .sliderHigh = 120.0,
+               .step = 1.0,
+               .decimals = 1,
+               .shownScale = 57.29577951308232})
+            .when(hasAngle),
+        field(&S::orthographicHeight,
+              {.key = "orthographicHeight",
+               .label = QT_TRANSLATE_NOOP("Fields", "Height"),
+               .tip = QT_TRANSLATE_NOOP("Fields", "What the picture shows from its lower edge to "
+                                                  "its upper one"),
+               .doc = "metres from bottom to top, orthographic",
+               .unit = QT_TRANSLATE_NOOP("Fields", " m"),
+               .low = 1e-6,
+               .high = kFarthest,
+               .sliderLow = 1.0,
+               .sliderHigh = 500.0,
+               .step = 0.1,
+               .decimals = 1,
+               .isLogarithmic = true})
+            .when(isParallel),
+        field(&S::pivotDistance, {.key = "pivotDistance",
+                                  .doc = "metres to the point that orbiting turns around",
+                                  .low = 1e-6,
+                                  .high = kFarthest}));
+}
 
 struct Ray
 {

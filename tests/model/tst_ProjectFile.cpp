@@ -306,7 +306,7 @@ void tst_ProjectFile::refusesBadInputWithItsPlace_data()
     row("a clip speed beyond all floats",
         changed("[\"idle\"]", "[\"idle\"], \"clipSpeeds\": [1e300]"), "templates[0].clipSpeeds");
     row("an import scale of zero", changed("[\"idle\"]", "[\"idle\"], \"import\": {\"scale\": 0}"),
-        "templates[0].import.scale must be above zero");
+        "templates[0].import.scale must lie between");
     row("an import rotation that is none",
         changed("[\"idle\"]", "[\"idle\"], \"import\": {\"rotation\": [0,0,0,0]}"),
         "templates[0].import.rotation");

@@ -111,6 +111,23 @@ class Contents(unittest.TestCase):
         with self.assertRaisesRegex(crowdbrush.Error, "noon, afternoon, dusk, overcast, night"):
             crowdbrush.Lighting.ready("dawn")
 
+    def test_what_files_refuse_scripts_refuse(self):
+        for camera, said in ((dict(fov_radians=0), "fov_radians is 0; it must lie from 0.01 to 3.1"),
+                             (dict(fov_radians=float("nan")), "fov_radians"),
+                             (dict(height=-1), "height is -1"),
+                             (dict(pivot_distance=0), "pivot_distance is 0")):
+            with self.assertRaisesRegex(crowdbrush.Error, said):
+                crowdbrush.Camera.exact((0, 0, 0), (1, 0, 0, 0), **camera)
+        scene = crowdbrush.Scene()
+        stage = "builtin:stages/theatre.glb"
+        for placed, said in ((dict(scale=0), "scale is 0"), (dict(scale=1e30), "scale is 1e.30"),
+                             (dict(heading=1e30), "heading"), (dict(position=(0, 2e6, 0)), "position")):
+            with self.assertRaisesRegex(crowdbrush.Error, said):
+                scene.add_stage(stage, **placed)
+        self.assertEqual(len(scene.stages), 0)
+        with self.assertRaisesRegex(crowdbrush.Error, "ground_offset is 2000"):
+            scene.add_template("builtin:templates/man.glb", ground_offset=2000)
+
     def test_places_paths_tags_and_rules(self):
         scene = crowdbrush.Scene()
         man = scene.add_template(MAN)

@@ -462,7 +462,7 @@ void addInScene(FieldForm& form, const Bound& bound)
 {
     if (bound.field->meta.role == model::FieldRole::Point) {
         addPoint(form, bound);
-    } else if (bound.field->meta.role == model::FieldRole::Space) {
+    } else if (bound.field->meta.role != model::FieldRole::Individual) {
         addSpace(form, bound);
     } else {
         addIndividual(form, bound);
@@ -508,6 +508,7 @@ bool addReferenceControl(FieldForm& form, const Bound& bound)
         return true;
     case model::FieldRole::Point:
     case model::FieldRole::Space:
+    case model::FieldRole::Target:
     case model::FieldRole::Individual:
         addInScene(form, bound);
         return true;
