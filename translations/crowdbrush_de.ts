@@ -700,10 +700,6 @@
         <translation>Mit dem &amp;Lasso auswählen</translation>
     </message>
     <message>
-        <source>Draw a line round those to select; else a rectangle</source>
-        <translation>Eine Linie um die Auszuwählenden ziehen; sonst ein Rechteck</translation>
-    </message>
-    <message>
         <source>&amp;Restore</source>
         <translation>&amp;Wiederherstellen</translation>
     </message>
@@ -1122,6 +1118,10 @@
     <message>
         <source>The run goes on from the moment shown, and what came after it is forgotten; out of a take another run goes on from there</source>
         <translation>Der Lauf geht vom gezeigten Augenblick an weiter, und was danach kam, ist vergessen; aus einem Take heraus geht ein anderer Lauf von dort an weiter</translation>
+    </message>
+    <message>
+        <source>Draw a line round those to select, or to paint with a brush; else a rectangle, or a circle</source>
+        <translation>Eine Linie um die ziehen, die ausgewählt oder mit einem Pinsel bemalt werden sollen; sonst ein Rechteck oder ein Kreis</translation>
     </message>
 </context>
 <context>
@@ -1636,6 +1636,10 @@
             <numerusform>%n Figur spielt neu …</numerusform>
             <numerusform>%n Figuren spielen neu …</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Taken: %1. The other characters are not ticked any more.</source>
+        <translation>Übernommen: %1. Die anderen Figuren sind nicht mehr angekreuzt.</translation>
     </message>
 </context>
 <context>
@@ -4079,6 +4083,42 @@
         <source>Of several, each is of one</source>
         <translation>Von mehreren hat jede Figur eine</translation>
     </message>
+    <message>
+        <source>Time of Day</source>
+        <translation>Tageszeit</translation>
+    </message>
+    <message>
+        <source>Puts sun or moon, sky and their colours as they are at that hour, paler and softer where there is haze; everything can be changed afterwards</source>
+        <translation>Setzt Sonne oder Mond, Himmel und ihre Farben, wie sie zu dieser Stunde sind, blasser und weicher bei Dunst; alles lässt sich danach ändern</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> Uhr</translation>
+    </message>
+    <message>
+        <source>Around its upright axis</source>
+        <translation>Um ihre senkrechte Achse</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Parallel</translation>
+    </message>
+    <message>
+        <source>Without perspective, as in a plan</source>
+        <translation>Ohne Perspektive, wie in einem Plan</translation>
+    </message>
+    <message>
+        <source>Angle of View</source>
+        <translation>Bildwinkel</translation>
+    </message>
+    <message>
+        <source>From the picture&apos;s lower edge to its upper one. Small: as through a long lens; large: a wide one</source>
+        <translation>Vom unteren Bildrand zum oberen. Klein: wie durch ein Teleobjektiv; groß: wie durch ein Weitwinkel</translation>
+    </message>
+    <message>
+        <source>What the picture shows from its lower edge to its upper one</source>
+        <translation>Was das Bild vom unteren Rand zum oberen zeigt</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -4339,6 +4379,14 @@
     <message>
         <source>%1 m high</source>
         <translation>%1 m hoch</translation>
+    </message>
+    <message>
+        <source>Change a cone</source>
+        <translation>Lichtkegel ändern</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
     </message>
 </context>
 <context>
@@ -4633,10 +4681,6 @@
         <translation>%1 muss eine Farbe sein, wie „#f0962c“</translation>
     </message>
     <message>
-        <source>%1 must be above zero</source>
-        <translation>%1 muss größer als null sein</translation>
-    </message>
-    <message>
         <source>%1 must not be empty</source>
         <translation>%1 darf nicht leer sein</translation>
     </message>
@@ -4763,14 +4807,6 @@
     <message>
         <source>tags: the tag %1 is given twice</source>
         <translation>tags: die Marke %1 ist zweimal vergeben</translation>
-    </message>
-    <message>
-        <source>%1 must lie between 0.01 and 3.1 radians</source>
-        <translation>%1 muss zwischen 0.01 und 3.1 Radiant liegen</translation>
-    </message>
-    <message>
-        <source>%1 must have heights and distances above zero</source>
-        <translation>%1 muss Höhen und Abstände größer als null haben</translation>
     </message>
     <message>
         <source>Drawing the %1 failed. %2</source>
@@ -6171,6 +6207,10 @@
     <message>
         <source>%1: a %2 file has at most %3 pixels a side, not %4. Let the name end in .png, or choose a smaller size.</source>
         <translation>%1: Eine %2-Datei hat höchstens %3 Pixel je Seite, nicht %4. Lassen Sie den Namen auf .png enden, oder wählen Sie eine kleinere Größe.</translation>
+    </message>
+    <message>
+        <source>%1 is a quaternion (w, x, y, z) of length 1; (1, 0, 0, 0) does not turn. The length of what was given is %2.</source>
+        <translation>%1 ist eine Quaternion (w, x, y, z) der Länge 1; (1, 0, 0, 0) dreht nicht. Die Länge der angegebenen ist %2.</translation>
     </message>
 </context>
 <context>
@@ -11468,10 +11508,6 @@ Verworfen ist sie fort.</translation>
         <translation>Ein Licht ändern</translation>
     </message>
     <message>
-        <source>In the picture, while Select is chosen: drag the lamp, with Shift up and down, or what it shines on; with Ctrl onto somebody, and it goes with him.</source>
-        <translation>Im Bild, solange „Auswählen“ gewählt ist: die Lampe ziehen, mit Umschalt auf und ab, oder das, worauf sie scheint; mit Strg auf jemanden, dann folgt sie ihm.</translation>
-    </message>
-    <message>
         <source>In the picture, while Select is chosen: drag the lamp, with Shift up and down.</source>
         <translation>Im Bild, solange „Auswählen“ gewählt ist: die Lampe ziehen, mit Umschalt auf und ab.</translation>
     </message>
@@ -11486,6 +11522,14 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Click whom it is to follow.</source>
         <translation>Anklicken, wem er folgen soll.</translation>
+    </message>
+    <message>
+        <source>It can be dragged in the picture with the tool Select.</source>
+        <translation>Es lässt sich im Bild mit dem Werkzeug „Auswählen“ ziehen.</translation>
+    </message>
+    <message>
+        <source>In the picture, while Select is chosen: drag the lamp, with Shift up and down, the edge of its cone, or what it shines on; with Ctrl onto somebody, and it goes with him.</source>
+        <translation>Im Bild, solange „Auswählen“ gewählt ist: die Lampe ziehen, mit Umschalt auf und ab, den Rand ihres Kegels oder das, worauf sie scheint; mit Strg auf jemanden, dann folgt sie ihm.</translation>
     </message>
 </context>
 <context>
@@ -11747,6 +11791,33 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>mixed</source>
         <translation>gemischt</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::PlacementForm</name>
+    <message>
+        <source>Who sits in its seats goes with it.</source>
+        <translation>Wer auf ihren Sitzen sitzt, kommt mit.</translation>
+    </message>
+    <message>
+        <source>Place stage</source>
+        <translation>Bühne versetzen</translation>
+    </message>
+    <message>
+        <source>Change camera</source>
+        <translation>Kamera ändern</translation>
+    </message>
+    <message>
+        <source>Stage: %1</source>
+        <translation>Bühne: %1</translation>
+    </message>
+    <message>
+        <source>Camera: %1</source>
+        <translation>Kamera: %1</translation>
+    </message>
+    <message>
+        <source>This view</source>
+        <translation>Diese Ansicht</translation>
     </message>
 </context>
 <context>
@@ -12495,8 +12566,8 @@ Verworfen ist sie fort.</translation>
         <translation>Neu gelegt: %1</translation>
     </message>
     <message>
-        <source>People were elsewhere when this was painted, or got back what they had. Whom it meant then stays, until its area is changed.</source>
-        <translation>Die Leute waren anderswo, als dies gemalt wurde, oder bekamen zurück, was sie hatten. Wer damals gemeint war, bleibt es, bis der Bereich geändert wird.</translation>
+        <source>Whom this met depends on more than the scene: it was playing, clips were still being loaded, or people got back what they had. They stay the ones it met, until its area is changed.</source>
+        <translation>Wen dies traf, hängt von mehr als der Szene ab: Sie lief gerade, Clips wurden noch geladen, oder Figuren bekamen zurück, was sie hatten. Es bleiben die, die es traf, bis sein Bereich geändert wird.</translation>
     </message>
 </context>
 <context>

@@ -700,10 +700,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Draw a line round those to select; else a rectangle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Restore</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1121,6 +1117,10 @@
     </message>
     <message>
         <source>The run goes on from the moment shown, and what came after it is forgotten; out of a take another run goes on from there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw a line round those to select, or to paint with a brush; else a rectangle, or a circle</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1636,6 +1636,10 @@
             <numerusform>%n character does it again…</numerusform>
             <numerusform>%n characters do it again…</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Taken: %1. The other characters are not ticked any more.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4079,6 +4083,42 @@
         <source>Of several, each is of one</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Time of Day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Puts sun or moon, sky and their colours as they are at that hour, paler and softer where there is haze; everything can be changed afterwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Around its upright axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without perspective, as in a plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle of View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the picture&apos;s lower edge to its upper one. Small: as through a long lens; large: a wide one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the picture shows from its lower edge to its upper one</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -4338,6 +4378,14 @@
     </message>
     <message>
         <source>%1 m high</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change a cone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1°</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4633,10 +4681,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 must be above zero</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 must not be empty</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4762,14 +4806,6 @@
     </message>
     <message>
         <source>tags: the tag %1 is given twice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 must lie between 0.01 and 3.1 radians</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 must have heights and distances above zero</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6170,6 +6206,10 @@
     </message>
     <message>
         <source>%1: a %2 file has at most %3 pixels a side, not %4. Let the name end in .png, or choose a smaller size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a quaternion (w, x, y, z) of length 1; (1, 0, 0, 0) does not turn. The length of what was given is %2.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11461,10 +11501,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>In the picture, while Select is chosen: drag the lamp, with Shift up and down, or what it shines on; with Ctrl onto somebody, and it goes with him.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>In the picture, while Select is chosen: drag the lamp, with Shift up and down.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -11478,6 +11514,14 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Click whom it is to follow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It can be dragged in the picture with the tool Select.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the picture, while Select is chosen: drag the lamp, with Shift up and down, the edge of its cone, or what it shines on; with Ctrl onto somebody, and it goes with him.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11739,6 +11783,33 @@ Thrown away, it is gone.</source>
     <name>crowd::widgets::NumberField</name>
     <message>
         <source>mixed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::PlacementForm</name>
+    <message>
+        <source>Who sits in its seats goes with it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This view</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -12488,7 +12559,7 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>People were elsewhere when this was painted, or got back what they had. Whom it meant then stays, until its area is changed.</source>
+        <source>Whom this met depends on more than the scene: it was playing, clips were still being loaded, or people got back what they had. They stay the ones it met, until its area is changed.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

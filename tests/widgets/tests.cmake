@@ -14,6 +14,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_GroundTools
     tst_FeaturesDock
     tst_LightDock
+    tst_Placement
     tst_LightHandles
     tst_LooksDock
     tst_RelationsDock

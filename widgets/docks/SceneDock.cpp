@@ -15,6 +15,8 @@
 #include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
 #include "widgets/commands/ViewCommands.h"
+#include "widgets/docks/PlacementForm.h"
+#include "widgets/state/SceneChanges.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
@@ -58,13 +60,15 @@ QTreeWidgetItem* heading(QTreeWidget* tree, const char* icon, const QString& tex
 } // namespace
 
 SceneDock::SceneDock(EditorState& state, QWidget* parent)
-    : DockBase(tr("Scene"), "scene", parent), m_state(state), m_tree(new QTreeWidget(this))
+    : DockBase(tr("Scene"), "scene", parent), m_state(state), m_tree(new QTreeWidget(this)),
+      m_placement(new PlacementForm(state, this))
 {
     setUpOutline(*m_tree);
     auto* content = new QWidget(this);
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->addWidget(m_tree, 1);
+    layout->addWidget(m_placement);
     setWidget(content);
 
     m_rebuild.setSingleShot(true);
@@ -75,7 +79,17 @@ SceneDock::SceneDock(EditorState& state, QWidget* parent)
                 if (changesOutline(change) && !m_rebuild.isActive()) {
                     m_rebuild.start();
                 }
+                if (isOneOf<model::CamerasChanged>(change)) {
+                    m_placement->followCameras();
+                } else if (isOneOf<model::StagesChanged>(change)) {
+                    m_placement->refresh();
+                }
             });
+    connect(m_tree, &QTreeWidget::itemSelectionChanged, this, [this] {
+        if (!m_isFilling) {
+            showPlacement(chosenItem());
+        }
+    });
     connect(m_tree, &QTreeWidget::itemDoubleClicked, this, &SceneDock::activate);
     connect(m_tree, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
         if (!m_isFilling) {
@@ -101,12 +115,41 @@ void SceneDock::rebuild()
         m_rebuild.start(); // not under the hands of who renames
         return;
     }
+    const QTreeWidgetItem* before = chosenItem();
+    const int type = before != nullptr ? before->type() : 0;
+    const QVariant id = before != nullptr ? before->data(0, kIdRole) : QVariant();
     m_isFilling = true;
     m_tree->clear();
     addStages();
     addPeople();
     addCameras();
+    for (QTreeWidgetItemIterator each(m_tree); type != 0 && *each != nullptr; ++each) {
+        if ((*each)->type() == type && (*each)->data(0, kIdRole) == id) {
+            m_tree->setCurrentItem(*each);
+            break;
+        }
+    }
     m_isFilling = false;
+    showPlacement(chosenItem());
+}
+
+/// Null: none, after a click beside them.
+const QTreeWidgetItem* SceneDock::chosenItem() const
+{
+    const QList<QTreeWidgetItem*> chosen = m_tree->selectedItems();
+    return chosen.isEmpty() ? nullptr : chosen.front();
+}
+
+void SceneDock::showPlacement(const QTreeWidgetItem* item)
+{
+    const QVariant id = item != nullptr ? item->data(0, kIdRole) : QVariant();
+    if (item != nullptr && item->type() == StageItem) {
+        m_placement->showStage(static_cast<std::uint8_t>(id.toUInt()));
+    } else if (item != nullptr && item->type() == CameraItem) {
+        m_placement->showCamera(id.toString());
+    } else {
+        m_placement->showView();
+    }
 }
 
 void SceneDock::addStages()

@@ -12,9 +12,11 @@ class QTreeWidgetItem;
 
 namespace crowd::widgets {
 
-/// What the scene consists of: stages, templates with how many people each has, cameras;
-/// and its light. A double click goes to a camera or selects the people of a template;
-/// F2 renames.
+class PlacementForm;
+
+/// What the scene consists of: stages, templates with how many people each has, cameras. Below
+/// stands how the chosen stage is placed and what the chosen camera sees, else what the view does.
+/// A double click goes to a camera or selects the people of a template; F2 renames.
 class SceneDock : public DockBase
 {
     Q_OBJECT
@@ -37,6 +39,8 @@ private:
     void addStages();
     void addPeople();
     void addCameras();
+    [[nodiscard]] const QTreeWidgetItem* chosenItem() const;
+    void showPlacement(const QTreeWidgetItem* item);
     void activate(QTreeWidgetItem* item);
     void rename(QTreeWidgetItem* item);
     void renameStage(std::uint8_t id, const std::string& name);
@@ -51,8 +55,9 @@ private:
     void removeCurrent();
 
     EditorState& m_state;
-    QTreeWidget* m_tree;
-    QTimer m_rebuild; ///< many changes in a stroke make few rebuilds
+    QTreeWidget* m_tree;        ///< child
+    PlacementForm* m_placement; ///< child
+    QTimer m_rebuild;           ///< many changes in a stroke make few rebuilds
     bool m_isFilling = false;
 };
 
