@@ -9,6 +9,7 @@
 #include "app/python/ScriptAssets.h"
 #include "app/python/ScriptEnvironment.h"
 #include "model/describe/FieldChecks.h"
+#include "model/scene/DayLight.h"
 #include "model/scene/ReadyLight.h"
 
 namespace crowd::app {
@@ -298,7 +299,24 @@ void bindLighting(py::module_& module)
             },
             py::arg("key"),
             "A ready-made one: \"noon\", \"afternoon\", \"dusk\", \"overcast\", \"night\" or "
-            "\"studio\".");
+            "\"studio\".")
+        .def_static(
+            "of_day",
+            [](float hours, float haze) {
+                if (!std::isfinite(hours)) {
+                    throw ScriptError("hours must be a finite number.");
+                }
+                if (!(haze >= 0.0F && haze <= 0.999F)) {
+                    throw ScriptError("haze must lie between 0 and 0.999.");
+                }
+                Lighting light = newLighting();
+                light.haze = haze;
+                setDayHours(light, hours);
+                return light;
+            },
+            py::arg("hours"), py::arg("haze") = 0.0F,
+            "Sun or moon and sky as they are at an hour of 0–24, paler and softer the more haze "
+            "there is.");
 }
 
 void bindStage(py::module_& module)

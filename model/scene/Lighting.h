@@ -53,6 +53,10 @@ struct Lighting
 /// As a new scene is lit, with shadows; what files and scripts leave out is as Lighting begins.
 [[nodiscard]] Lighting newLighting();
 
+// See DayLight.h.
+void setDayHours(Lighting& lighting, float hours);
+[[nodiscard]] float dayHours(const Lighting& lighting);
+
 constexpr auto Lighting::fields()
 {
     using S = Lighting;
@@ -61,6 +65,20 @@ constexpr auto Lighting::fields()
     constexpr double kBrightest = 1000.0;
     constexpr double kDegrees = 57.29577951308232;
     return std::tuple(
+        computed<S, float>(
+            &dayHours, &setDayHours,
+            {.key = "dayHours",
+             .label = QT_TRANSLATE_NOOP("Fields", "Time of Day"),
+             .tip = QT_TRANSLATE_NOOP("Fields", "Puts sun or moon, sky and their colours as they "
+                                                "are at that hour, paler and softer where there is "
+                                                "haze; everything can be changed afterwards"),
+             .unit = QT_TRANSLATE_NOOP("Fields", " h"),
+             .high = 24.0,
+             .sliderLow = 0.0,
+             .sliderHigh = 23.9,
+             .step = 0.1,
+             .decimals = 1,
+             .section = QT_TRANSLATE_NOOP("Fields", "Sun")}),
         field(&S::sunAzimuthRadians, {.key = "sunAzimuth",
                                       .label = QT_TRANSLATE_NOOP("Fields", "Direction"),
                                       .tip = QT_TRANSLATE_NOOP("Fields", "Where the sun stands"),
@@ -73,8 +91,7 @@ constexpr auto Lighting::fields()
                                       .step = 1.0,
                                       .decimals = 0,
                                       .shownScale = kDegrees,
-                                      .role = FieldRole::Angle,
-                                      .section = QT_TRANSLATE_NOOP("Fields", "Sun")}),
+                                      .role = FieldRole::Angle}),
         field(&S::sunElevationRadians,
               {.key = "sunElevation",
                .label = QT_TRANSLATE_NOOP("Fields", "Height"),

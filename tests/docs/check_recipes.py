@@ -29,7 +29,7 @@ EXAMPLES = {
     "An operator": Example(r"\bGradientOperator\b|\bBrushOperator::Gradient\b|"
                            r"\bOPERATOR\(Gradient\)", most=3),
     "A selection": Example(r"\bBrushSelection::Lasso\b|\bLasso +///<|\"LASSO\"",
-                           users=("app/commands/BenchPaint.cpp",), most=6),
+                           users=("app/commands/BenchPaint.cpp", "app/window/SelectActions.cpp"), most=6),
     "A property of individuals": Example(r"\bwalkSpeed\b|\bWalkSpeed\b",
                                          users=("behavior/validation/*",), most=3),
     "A member of the scene": Example(r"\bmembers::Cues\b|\bScene::cues\b|\"cues\"|"
@@ -39,7 +39,8 @@ EXAMPLES = {
     "A trigger of rules": Example(r"\bArrived\b", most=4, users=("model/rules/RuleSets.cpp",)),
     "A condition of rules": Example(r"\bIsSeated\b", most=4,
                                     users=("model/rules/RuleSets.cpp",)),
-    "A field of the light": Example(r"\bskyZenith\b", users=("model/scene/ReadyLight.cpp",), most=3),
+    "A field of the light": Example(r"\bskyZenith\b", most=3,
+                                     users=("model/scene/ReadyLight.cpp", "model/scene/DayLight.cpp")),
     "A kind of light": Example(r"\bLightKind::Point\b|\"point\", QT", most=4),
     "A look": Example(r"\bLook::Plain\b|\"plain\"", users=("app/commands/BenchRender.cpp",), most=3),
     "A kind of mark": Example(r"\bMarkKind::Event\b|\"event\", QT", most=5,

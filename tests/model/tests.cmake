@@ -42,6 +42,7 @@ crowd_add_tests(ROOM model
     tst_Lasso
     tst_LastStrokes
     tst_LightCues
+    tst_DayLight
     tst_LightList
     tst_LookList
     tst_Message

@@ -111,6 +111,19 @@ class Contents(unittest.TestCase):
         with self.assertRaisesRegex(crowdbrush.Error, "noon, afternoon, dusk, overcast, night"):
             crowdbrush.Lighting.ready("dawn")
 
+    def test_light_of_an_hour(self):
+        noon, night = crowdbrush.Lighting.of_day(12), crowdbrush.Lighting.of_day(23.5, haze=.5)
+        self.assertGreater(noon.sun_strength, 3 * night.sun_strength)
+        self.assertGreater(noon.sky_horizon[0], night.sky_horizon[0] + .4)
+        self.assertEqual(night.haze, .5)
+        self.assertFalse(hasattr(noon, "day_hours"))  # it is where the sun stands
+        scene = crowdbrush.Scene()
+        self.undone_and_redone(scene, lambda: scene.set_lighting(night))
+        for wrong in (dict(hours=float("nan")), dict(hours=12, haze=1), dict(hours=12, haze=-.1),
+                      dict(hours=12, haze=float("nan"))):
+            with self.assertRaisesRegex(crowdbrush.Error, "hours|haze"):
+                crowdbrush.Lighting.of_day(**wrong)
+
     def test_what_files_refuse_scripts_refuse(self):
         for camera, said in ((dict(fov_radians=0), "fov_radians is 0; it must lie from 0.01 to 3.1"),
                              (dict(fov_radians=float("nan")), "fov_radians"),
