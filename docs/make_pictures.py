@@ -45,6 +45,18 @@ def mist():
     return scene_of("city", "dusk", haze=.97, haze_height=2.5).render(*SIZE)
 
 
+def lamps():
+    """A lamp and a spotlight at night; who stands in their light throws shadows, in the air, too."""
+    scene = crowdbrush.open("builtin:scenes/city.crowd")
+    scene.set_lighting(Lighting.of_day(22, .3))
+    scene.lights = [
+        Light(id=1, name="Spot", kind="spot", position=(-15, 3.6, 4), target=(-1, 1.3, 2), color="#ffd9a0",
+              strength=5, cone=.4, softness=.4, beam=1.0, shadows=True),
+        Light(id=2, name="Lamp", kind="point", position=(5.5, 2.6, 10.5), color="#ff7a48", strength=.3,
+              shadows=True)]
+    return scene.render(*SIZE, camera="Square")
+
+
 def density():
     """How densely people stand."""
     return scene_of("city").render(*SIZE, by="density")
@@ -98,7 +110,7 @@ def passes():
     return crowdbrush.Picture((np.concatenate([picture, opaque], axis=2) * 255).round().astype(np.uint8))
 
 
-PICTURES = {each.__name__: each for each in (highlights, cartoon, focus, mist, density, looks, figures, passes)}
+PICTURES = {each.__name__: each for each in (highlights, cartoon, focus, mist, lamps, density, looks, figures, passes)}
 
 
 def main():

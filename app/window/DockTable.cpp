@@ -44,7 +44,7 @@ constexpr std::array<DockInfo, static_cast<std::size_t>(DockId::Count)> kDocks{{
     {DockId::States, &make<widgets::StatesDock>, kRight, 0, 0, DockId::Scene},
     {DockId::Features, &make<widgets::FeaturesDock>, kRight, 0, 0, DockId::Colour},
     {DockId::Relations, &make<widgets::RelationsDock>, kRight, 0, 0, DockId::Features},
-    {DockId::Light, &make<widgets::LightDock>, kRight, 0, 0, DockId::Groups},
+    {DockId::Light, &make<widgets::LightDock>, kRight, 430, 0, DockId::Groups},
     {DockId::Looks, &make<widgets::LooksDock>, kLeft, 0, 0, DockId::Presets},
     {DockId::Timeline, &make<widgets::TimelineDock>, kBottom, 0, 0, DockId::Rules, false,
      "timeline"},

@@ -131,7 +131,8 @@ constexpr auto Light::fields()
                                 .sliderHigh = 120.0,
                                 .step = 1.0,
                                 .decimals = 0,
-                                .shownScale = kDegrees})
+                                .shownScale = kDegrees,
+                                .role = FieldRole::Opening})
             .when(hasCone),
         field(&S::softness, {.key = "softness",
                              .label = QT_TRANSLATE_NOOP("Fields", "Soft Edge"),
@@ -157,8 +158,7 @@ constexpr auto Light::fields()
                .tip = QT_TRANSLATE_NOOP("Fields", "People and stages stand in its light. The four "
                                                   "strongest lights that are to cast shadows do."),
                .doc = "people and stages cast shadows in its light; of those that are to, the four "
-                      "strongest do"})
-            .when(hasCone),
+                      "strongest do"}),
         field(&S::aim, {.key = "aim",
                         .label = QT_TRANSLATE_NOOP("Fields", "Aims at"),
                         .doc = "what it turns to",
@@ -174,7 +174,7 @@ constexpr auto Light::fields()
                            .sliderHigh = 50.0,
                            .step = 0.1,
                            .decimals = 1,
-                           .role = FieldRole::Space})
+                           .role = FieldRole::Target})
             .when([](const S& s, const C&) { return isAimed(s) && s.aim == LightAim::Place; }),
         field(&S::person, {.key = "person",
                            .label = QT_TRANSLATE_NOOP("Fields", "Person"),

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
 
 #include <epoxy/gl.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "render/gl/Blending.h"
@@ -39,6 +43,45 @@ void setCone(ShaderProgram& program, const PlacedLight& light)
     program.set("beamColor", light.color * (light.beam * share * kAirLight));
 }
 
+/// The same noise in all parts of a picture.
+glm::vec2 noiseCornerOf(const PassContext& context)
+{
+    const model::View& view = context.input.view;
+    const glm::vec2 ratio = glm::vec2(context.pixelSize) / view.size();
+    const float below = view.whole().size().y - view.corner().y - view.size().y;
+    return glm::round(glm::vec2(view.corner().x, below) * ratio);
+}
+
+void setView(ShaderProgram& program, const PassContext& context, const DepthCopy* depths)
+{
+    const model::View& view = context.input.view;
+    program.set("eye", view.camera().position);
+    program.set("forward", view.camera().forward());
+    program.set("isPerspective",
+                view.camera().projection == model::Projection::Perspective ? 1 : 0);
+    if (depths != nullptr) {
+        program.set("unproject", unprojectOf(view));
+        program.set("depths", 0);
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D, depths->texture().name());
+    }
+}
+
+void setCut(ShaderProgram& program, const PassContext& context, std::size_t light)
+{
+    constexpr float kGoldenShare = 0.618034F;
+    program.set("corner", noiseCornerOf(context));
+    program.set("turn", kGoldenShare * static_cast<float>(context.input.ripeness.value_or(0)));
+    program.set("lightShadowMap", kLightShadowUnit);
+    program.set("lightMap", context.lightShadows.mapsFromWorld[light]);
+}
+
+/// What stands in its light is known.
+bool isCut(const PassContext& context, std::size_t light)
+{
+    return context.style.lights[light].castsShadows && !context.lightShadows.mapsFromWorld.empty();
+}
+
 } // namespace
 
 void BeamPass::initialize()
@@ -51,33 +94,52 @@ bool BeamPass::isNeeded(const PassContext& context)
     return std::ranges::any_of(context.style.lights, &hasBeam);
 }
 
-model::Result<void> BeamPass::draw(const PassContext& context)
+/// `index`: of the light.
+model::Result<void> BeamPass::drawOne(const PassContext& context, std::size_t index,
+                                      const DepthCopy* depths)
 {
-    auto built = m_programs.get(context.style.tone.defines());
+    const bool isQuick = context.isSoftware && context.input.samples == 0;
+    std::string defines = isQuick ? "PLACES=8 " : "PLACES=16 ";
+    defines += depths != nullptr ? "CLIPPED " : "";
+    defines += isCut(context, index) ? "CUT " : "";
+    auto built = m_programs.get(defines + context.style.tone.defines());
     if (!built) {
         return built.error();
     }
     ShaderProgram& program = *built.value();
     program.use();
     context.setCommon(program);
-    program.set("eye", context.input.view.camera().position);
+    setView(program, context, depths);
+    setCone(program, context.style.lights[index]);
+    if (isCut(context, index)) {
+        setCut(program, context, index);
+    }
+    constexpr int kCorners = 2 * (kBeamSides + 1);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, kCorners);
+    context.countDraw(kCorners - 2);
+    return {};
+}
+
+model::Result<void> BeamPass::draw(const PassContext& context, const DepthCopy* depths)
+{
     glBindVertexArray(m_nothing.name());
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
     blendAdding();
     glDepthMask(GL_FALSE);
-    for (const PlacedLight& light : context.style.lights) {
-        if (hasBeam(light)) {
-            setCone(program, light);
-            constexpr int kCorners = 2 * (kBeamSides + 1);
-            glDrawArrays(GL_TRIANGLE_STRIP, 0, kCorners);
-            context.countDraw(kCorners - 2);
+    (depths != nullptr ? glDisable : glEnable)(GL_DEPTH_TEST);
+    const std::vector<PlacedLight>& lights = context.style.lights;
+    model::Result<void> drawn;
+    for (std::size_t i = 0; i < lights.size() && drawn; ++i) {
+        if (hasBeam(lights[i])) {
+            drawn = drawOne(context, i, depths);
         }
     }
+    glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     blendOver(context.input.isTransparent);
     glDisable(GL_BLEND);
-    return {};
+    return drawn;
 }
 
 } // namespace crowd::render

@@ -2,6 +2,8 @@
 #include "render/passes/LightShadowPass.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <span>
 #include <string>
 
 #include <epoxy/gl.h>
@@ -17,28 +19,35 @@ using namespace model;
 
 constexpr int kFewestPartPixels = 256;
 constexpr int kMostPartPixels = 2048;
+constexpr int kMostMapPixels = 4096; ///< of all parts beside each other
 constexpr float kLampOffsetTexels = 1.5F;
 constexpr float kSpreadTexels = 1.2F;
 
 /// Parts beside each other, and above each other.
-int partsAcross(std::size_t lamps)
+int partsAcross(std::size_t views)
 {
-    return lamps > 1 ? 2 : 1;
+    std::size_t across = 1;
+    while (across * across < views) {
+        ++across;
+    }
+    return static_cast<int>(across);
 }
 
 /// Half of what the picture has, in steps: a cone fills a part of the picture.
-int partPixels(glm::ivec2 picture)
+int partPixels(glm::ivec2 picture, int across)
 {
     constexpr int kStep = 128;
     const int wanted = std::max(picture.x, picture.y) / 2;
-    return std::clamp((wanted + kStep - 1) / kStep * kStep, kFewestPartPixels, kMostPartPixels);
+    const int pixels =
+        std::clamp((wanted + kStep - 1) / kStep * kStep, kFewestPartPixels, kMostPartPixels);
+    return std::min(pixels, kMostMapPixels / across);
 }
 
 /// 0..1 within a part of the map, and 0..1 of depth.
-glm::mat4 mapFromClip(std::size_t lamp, int across)
+glm::mat4 mapFromClip(std::size_t view, int across)
 {
     const float share = 1.0F / static_cast<float>(across);
-    const auto index = static_cast<int>(lamp);
+    const auto index = static_cast<int>(view);
     const int column = index % across;
     const int row = index / across;
     const glm::vec3 corner(static_cast<float>(column) * share, static_cast<float>(row) * share,
@@ -56,7 +65,7 @@ void LightShadowPass::initialize()
 
 bool LightShadowPass::isNeeded(const PassContext& context)
 {
-    return context.style.castingLights > 0;
+    return context.style.casters.all > 0;
 }
 
 template<class Draw>
@@ -89,24 +98,43 @@ void LightShadowPass::tell(PassContext& context) const
     told = {};
     for (std::size_t i = 0; i < m_lamps.size(); ++i) {
         told.mapsFromWorld.push_back(mapFromClip(i, across) * m_lamps[i].clipFromWorld);
-        told.offsets.push_back(m_lamps[i].texelSlope * kLampOffsetTexels);
+    }
+    const LightCasters& casters = context.style.casters;
+    std::size_t view = 0;
+    for (std::size_t i = 0; i < casters.all; ++i) {
+        told.offsets.push_back(m_lamps[view].texelSlope * kLampOffsetTexels);
+        view += viewsOf(context.style.lights[i]);
     }
     told.spread = kSpreadTexels / static_cast<float>(m_pixels * across);
-    context.style.surfaceDefines += "LIGHT_SHADOWS=" + std::to_string(m_lamps.size()) + ' ';
+    context.style.surfaceDefines += "LIGHT_SHADOWS=" + std::to_string(casters.all) + ' ' +
+                                    "SPOT_SHADOWS=" + std::to_string(casters.spots) + ' ';
     // Without anti-aliasing a hard edge is as good as its texels.
     const bool isQuick = context.isSoftware && context.input.samples == 0;
     context.style.surfaceDefines += isQuick ? "" : "LIGHT_TAPS4 ";
 }
 
+void LightShadowPass::look(const PassContext& context)
+{
+    const std::span<const PlacedLight> casting(context.style.lights.data(),
+                                               context.style.casters.all);
+    std::size_t views = 0;
+    for (const PlacedLight& light : casting) {
+        views += viewsOf(light);
+    }
+    m_pixels = partPixels(context.wholePixels(), partsAcross(views));
+    m_lamps.clear();
+    for (const PlacedLight& light : casting) {
+        for (std::size_t side = 0; side < viewsOf(light); ++side) {
+            m_lamps.push_back(lampView(light, m_pixels, side));
+        }
+    }
+}
+
 Result<void> LightShadowPass::draw(PassContext& context, CrowdGpu& crowd)
 {
-    m_pixels = partPixels(context.wholePixels());
-    m_lamps.clear();
-    std::vector<glm::mat4> views;
-    for (std::size_t i = 0; i < context.style.castingLights; ++i) {
-        m_lamps.push_back(lampView(context.style.lights[i], m_pixels));
-        views.push_back(m_lamps.back().clipFromWorld);
-    }
+    look(context);
+    std::vector<glm::mat4> views(m_lamps.size());
+    std::ranges::transform(m_lamps, views.begin(), &LampView::clipFromWorld);
     PassContext casting = context;
     casting.style.shadowStrength = 0.0F;
     casting.style.lights.clear();
@@ -132,7 +160,7 @@ Result<void> LightShadowPass::draw(PassContext& context, CrowdGpu& crowd)
         glActiveTexture(GL_TEXTURE0);
         tell(context);
     } else {
-        context.style.castingLights = 0;
+        context.style.casters = {};
     }
     return drawn;
 }

@@ -15,7 +15,7 @@
 
 namespace crowd::render {
 
-/// Draws what the spotlights see that cast shadows, side by side on one map, which the other passes
+/// Draws what the lamps see that cast shadows, side by side on one map, which the other passes
 /// look at afterwards.
 class LightShadowPass
 {
@@ -31,17 +31,19 @@ public:
     void rest() { m_still.rest(); }
 
 private:
-    /// Calls `draw` for each lamp with its part of the map as the viewport.
+    /// Calls `draw` for each view with its part of the map as the viewport.
     template<class Draw>
     [[nodiscard]] model::Result<void> forEachLamp(const Draw& draw) const;
     [[nodiscard]] model::Result<void> drawPeople(const PassContext& casting, CrowdGpu& crowd,
                                                  const LampView& lamp);
+    /// All views of those that cast shadows.
+    void look(const PassContext& context);
     void tell(PassContext& context) const;
 
     PeopleDrawing& m_people;
     StagePass& m_stage;
-    std::vector<LampView> m_lamps; ///< of this frame
-    int m_pixels = 0;              ///< of the part of one
+    std::vector<LampView> m_lamps; ///< of this frame, all their views
+    int m_pixels = 0;              ///< of the part of a view
     ShadowTarget m_target;
     StillCasters m_still;
     CrowdView m_seen; ///< by one lamp after the other

@@ -26,9 +26,9 @@ struct ReceivedShadows
 /// What surfaces need to look at the map of the lights that cast shadows, in their order.
 struct LightShadows
 {
-    std::vector<glm::mat4> mapsFromWorld; ///< perspective: to be divided
-    std::vector<float> offsets; ///< metres along the normal at which they look, a metre away
-    float spread = 0.0F;        ///< half the width of edges, on the map
+    std::vector<glm::mat4> mapsFromWorld; ///< of each view (viewsOf); perspective: to be divided
+    std::vector<float> offsets;           ///< of each light: metres along the normal a metre away
+    float spread = 0.0F;                  ///< half the width of edges, on the map
 };
 
 inline constexpr int kShadowUnit = 12;      ///< texture unit of the sun's map
@@ -44,7 +44,7 @@ struct PassContext
     bool isSoftware = false; ///< llvmpipe: work is handed over in small pieces
     RenderStatistics& statistics;
     ReceivedShadows shadows{};            ///< where style.castsShadows()
-    LightShadows lightShadows{};          ///< where style.castingLights > 0
+    LightShadows lightShadows{};          ///< where style.casters.all > 0
     const EarlierRows* earlier = nullptr; ///< of the people, where motion is drawn
 
     /// Camera and light of a program in use.

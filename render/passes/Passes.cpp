@@ -70,8 +70,12 @@ constexpr PassInfo kPasses[] = {
     {"see-through people",
      [](Passes& p, const PassContext& c) { return p.people.drawSeeThrough(c, p.crowd, p.seen); },
      Mark::None, &hasPeople, true},
-    {"beams", [](Passes& p, const PassContext& c) { return p.beams.draw(c); }, Mark::None,
-     &BeamPass::isNeeded},
+    {"beams",
+     [](Passes& p, const PassContext& c) {
+         const bool areKnown = p.depths.take(p.target);
+         return p.beams.draw(c, areKnown ? &p.depths : nullptr);
+     },
+     Mark::None, &BeamPass::isNeeded},
     {"overlay",
      [](Passes& p, const PassContext& c) {
          p.overlay.draw(c);

@@ -52,6 +52,7 @@ PlacedLight placed(const Light& light, const glm::vec3& target)
     const glm::vec3 srgb =
         glm::vec3(light.color[0], light.color[1], light.color[2]) * (1.0F / 255.0F);
     made.color = linearFromSrgb(srgb) * (light.strength * kLightMetres * kLightMetres);
+    made.castsShadows = light.castsShadows;
     if (!isAimed(light)) {
         return made;
     }
@@ -60,7 +61,7 @@ PlacedLight placed(const Light& light, const glm::vec3& target)
     made.coneRadians = light.coneRadians;
     made.beam = light.beam;
     made.reach = length;
-    made.castsShadows = light.castsShadows && light.coneRadians <= kWidestCasterRadians;
+    made.castsShadows = made.castsShadows && light.coneRadians <= kWidestCasterRadians;
     made.axis = length > 1e-4F ? back / length : glm::vec3(0.0F, 1.0F, 0.0F);
     const float half = light.coneRadians * 0.5F;
     made.edgeCosine = std::cos(half);
@@ -78,6 +79,12 @@ void castersFirst(std::vector<PlacedLight>& lights)
     for (std::size_t i = kMostLightShadows; i < lights.size(); ++i) {
         lights[i].castsShadows = false;
     }
+    const auto isOfSpot = [](const PlacedLight& light) {
+        return light.castsShadows && light.coneRadians > 0.0F;
+    };
+    std::ranges::stable_sort(lights, std::ranges::greater(), [&isOfSpot](const PlacedLight& light) {
+        return 2 * static_cast<int>(isOfSpot(light)) + static_cast<int>(light.castsShadows);
+    });
 }
 
 } // namespace
@@ -94,9 +101,14 @@ std::vector<PlacedLight> placedLights(std::span<const Light> lights, const Crowd
     return made;
 }
 
-std::size_t castersOf(std::span<const PlacedLight> lights)
+LightCasters castersOf(std::span<const PlacedLight> lights)
 {
-    return static_cast<std::size_t>(std::ranges::count(lights, true, &PlacedLight::castsShadows));
+    LightCasters casters;
+    for (const PlacedLight& light : lights) {
+        casters.all += light.castsShadows ? 1 : 0;
+        casters.spots += light.castsShadows && light.coneRadians > 0.0F ? 1 : 0;
+    }
+    return casters;
 }
 
 } // namespace crowd::render

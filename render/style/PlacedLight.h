@@ -31,12 +31,17 @@ struct PlacedLight
 
 /// Where those that are on shine to, with people where a frame has them; the strongest of them
 /// where they are more than model::kMostLightsDrawn. Those that aim at nobody who is there are left
-/// out. First those that cast shadows: the strongest of those that are to, at most
-/// model::kMostLightShadows.
+/// out. First those that cast shadows, the strongest of those that are to, at most
+/// model::kMostLightShadows: spotlights, then those that shine to all sides.
 [[nodiscard]] std::vector<PlacedLight> placedLights(std::span<const model::Light> lights,
                                                     const model::CrowdFrame* frame);
 
-/// How many of the first cast shadows.
-[[nodiscard]] std::size_t castersOf(std::span<const PlacedLight> lights);
+/// How many of the first cast shadows, and how many of these first are spotlights.
+struct LightCasters
+{
+    std::size_t all = 0;
+    std::size_t spots = 0;
+};
+[[nodiscard]] LightCasters castersOf(std::span<const PlacedLight> lights);
 
 } // namespace crowd::render

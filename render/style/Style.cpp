@@ -87,7 +87,7 @@ Style Style::of(const RenderInput& input)
         useLight(style, input, look, lighting);
     }
     if (input.showShadows) {
-        style.castingLights = castersOf(style.lights);
+        style.casters = castersOf(style.lights);
     }
     if (!style.lights.empty()) {
         style.surfaceDefines += "LIGHTS=" + std::to_string(style.lights.size()) + ' ';

@@ -35,7 +35,7 @@ struct Style
     std::string surfaceDefines; ///< that shaders of people, stages and the ground are compiled with
     LinearLight light;
     std::vector<PlacedLight> lights; ///< that stand in the scene; none where the look has no light
-    std::size_t castingLights = 0;   ///< so many of the first cast shadows
+    LightCasters casters;            ///< which of them cast shadows
     glm::vec3 clearColor{0.0F};      ///< where nothing is drawn
     Tone tone;
     /// One colour for all people and one for all stages, instead of their materials.

@@ -32,15 +32,30 @@ uniform vec4 lightAxes[LIGHTS];   // towards the lamp, 0 for all sides; cosine o
 uniform vec4 lightColors[LIGHTS]; // a metre away; how far from the surface its shadow is asked for there
 
 #ifdef LIGHT_SHADOWS
-// LIGHT_SHADOWS: so many of the first cast some. Their maps lie side by side on one.
-uniform mat4 lightMaps[LIGHT_SHADOWS];
+// LIGHT_SHADOWS: so many of the first cast some, first SPOT_SHADOWS that have a cone, then those that
+// shine to all sides, which have six maps each. They lie side by side on one.
+uniform mat4 lightMaps[SPOT_SHADOWS + 6 * (LIGHT_SHADOWS - SPOT_SHADOWS)];
 uniform sampler2DShadow lightShadowMap;
 uniform float lightShadowSpread;
+
+// On which of its maps a light sees what lies on this way from it.
+int lightMap(int light, vec3 way)
+{
+#if LIGHT_SHADOWS > SPOT_SHADOWS
+    if (light >= SPOT_SHADOWS) {
+        vec3 far = abs(way);
+        int axis = far.x >= far.y && far.x >= far.z ? 0 : far.y >= far.z ? 1 : 2;
+        return SPOT_SHADOWS + 6 * (light - SPOT_SHADOWS) + 2 * axis + (way[axis] < 0.0 ? 1 : 0);
+    }
+#endif
+    return light;
+}
 
 // The share of a light that gets there, so many metres away.
 float lightLeft(int light, vec3 world, vec3 normal, float away)
 {
-    vec4 place = lightMaps[light] * vec4(world + normal * (lightColors[light].w * away), 1.0);
+    vec3 asked = world + normal * (lightColors[light].w * away);
+    vec4 place = lightMaps[lightMap(light, asked - lightPlaces[light].xyz)] * vec4(asked, 1.0);
     vec3 at = place.xyz / place.w;
 #ifdef LIGHT_TAPS4
     // A turned square of taps, each of which blends four texels.

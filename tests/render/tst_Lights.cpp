@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include <QtTest/QTest>
 
@@ -70,6 +72,9 @@ private Q_SLOTS:
     void whatRulesSayIsSeen();
     void stagesStandInTheLight();
     void peopleStandInTheLight();
+    void whatShinesToAllSidesCasts();
+    void beamsAreCut();
+    void beamsThickenOnTheWay();
     void theStrongestCast();
     void oddOnesDoNoHarm();
     void oddCastersDoNoHarm();
@@ -305,6 +310,94 @@ void TestLights::peopleStandInTheLight()
     light.castsShadows = true;
     shine(input, {light});
     QVERIFY2(at(0.0F, 0.0F).y < face - 30, qPrintable(QString::number(at(0.0F, 0.0F).y)));
+}
+
+void TestLights::whatShinesToAllSidesCasts()
+{
+    render::RenderInput input = night();
+    model::Light lamp = spotOn({0.0F, 0.0F, 0.0F});
+    lamp.kind = model::LightKind::Point;
+    lamp.position = {0.0F, 1.0F, 0.0F}; // the ground is seen by its lower side and by four others
+    lamp.strength = 0.02F;
+    shine(input, {lamp});
+    const std::vector<std::uint8_t> open = m_pixels;
+    lamp.castsShadows = true;
+    shine(input, {lamp});
+    int most = 0; // where nothing stands, nothing is dark: neither by itself nor between the sides
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        most = std::max(most, std::abs(open[i] - m_pixels[i]));
+    }
+    QVERIFY2(most <= 1, qPrintable(QString::number(most)));
+    for (const float side : {1.0F, -1.0F}) {
+        const model::StageEntry board = boardOver(side, 0.0F, 0.5F);
+        input.stages = {&board, 1};
+        shine(input, {lamp});
+        QVERIFY2(at(2.4F * side, 0.0F).y < at(-2.4F * side, 0.0F).y - 20,
+                 qPrintable(QString::number(at(2.4F * side, 0.0F).y)));
+        QVERIFY(std::abs(at(0.0F, 2.4F).y - at(0.0F, -2.4F).y) <= 4);
+        QVERIFY(std::abs(at(0.0F, 2.4F).y - at(-2.4F * side, 0.0F).y) <= 4);
+    }
+    input.stages = {};
+    input.frame = frameOf(makeRow(1), {entryFor(m_man)});
+    lamp.position = {-1.5F, 1.0F, 0.0F};
+    shine(input, {lamp});
+    QVERIFY2(at(2.0F, 0.0F).y < at(1.5F, 2.5F).y - 4,
+             qPrintable(QString::number(at(2.0F, 0.0F).y)));
+}
+
+void TestLights::beamsAreCut()
+{
+    render::RenderInput input = night();
+    input.frame = frameOf(makeRow(1), {entryFor(m_man)});
+    input.lighting.ground = glm::vec3(0.0F); // the air alone is seen
+    model::Light light = spotOn({3.5F, 1.2F, 0.0F});
+    light.position = {-3.0F, 1.2F, 0.0F};
+    light.coneRadians = 0.2F;
+    light.strength = 4.0F;
+    light.beam = 1.0F;
+    shine(input, {light});
+    const int before = at(-1.5F, 0.0F).y;
+    const int behind = at(2.0F, 0.0F).y;
+    QVERIFY2(behind > 12, qPrintable(QString::number(behind)));
+    light.castsShadows = true;
+    shine(input, {light});
+    QVERIFY2(std::abs(at(-1.5F, 0.0F).y - before) <= 2,
+             qPrintable(QString::number(at(-1.5F, 0.0F).y)));
+    QVERIFY2(at(2.0F, 0.0F).y < behind * 3 / 4, qPrintable(QString::number(at(2.0F, 0.0F).y)));
+    // The same without anybody: the beam is whole.
+    input.frame = frameOf(model::Population(), {entryFor(m_man)});
+    shine(input, {light});
+    QVERIFY2(std::abs(at(2.0F, 0.0F).y - behind) <= 2,
+             qPrintable(QString::number(at(2.0F, 0.0F).y)));
+}
+
+/// What is within a beam has as much of its air before it as one looks through.
+void TestLights::beamsThickenOnTheWay()
+{
+    render::RenderInput input = night();
+    input.lighting.ground = glm::vec3(0.0F);
+    model::Light light = spotOn({3.5F, 1.2F, 0.0F});
+    light.position = {-3.0F, 1.2F, 0.0F};
+    light.coneRadians = 0.2F; // 0.45 m to each side where it is looked at
+    light.strength = 4.0F;
+    const auto linear = [this] { return std::pow(at(1.5F, 0.0F).y / 255.0, 2.2); };
+    const auto airOver = [&](float height) {
+        const model::StageEntry board = boardOver(1.5F, 0.0F, height);
+        input.stages = {&board, 1};
+        light.beam = 0.0F;
+        shine(input, {light});
+        const double without = linear();
+        light.beam = 1.0F;
+        shine(input, {light});
+        return linear() - without;
+    };
+    const double all = airOver(0.3F);
+    const double half = airOver(1.2F) / all;
+    const double little = airOver(1.55F) / all;
+    QVERIFY(all > 0.002);
+    QVERIFY2(half > 0.35 && half < 0.65, qPrintable(QString::number(half)));
+    QVERIFY2(little < 0.25, qPrintable(QString::number(little)));
+    QVERIFY(airOver(1.9F) < 0.02 * all + 1e-4);
 }
 
 void TestLights::theStrongestCast()

@@ -93,6 +93,7 @@ QWidget* LightDock::makeButtons()
                 });
         makePointButton(*button, m_state, [this, kind](const glm::vec3& metres) {
             addLight(m_state, static_cast<model::LightKind>(kind), metres);
+            m_state.showStatus(tr("It can be dragged in the picture with the tool Select."));
         });
     }
     QToolButton* follow =
@@ -161,8 +162,8 @@ void LightDock::makeLightForm()
     m_lightForm->setObjectName(QStringLiteral("lampForm"));
     m_lightForm->addFields(model::fieldsOf<Light>());
     m_lightForm->addNote(tr("In the picture, while Select is chosen: drag the lamp, with Shift up "
-                            "and down, or what it shines on; with Ctrl onto somebody, and it goes "
-                            "with him."),
+                            "and down, the edge of its cone, or what it shines on; with Ctrl onto "
+                            "somebody, and it goes with him."),
                          [this] { return isAimed(shownLight()); });
     m_lightForm->addNote(tr("In the picture, while Select is chosen: drag the lamp, with Shift up "
                             "and down."),
