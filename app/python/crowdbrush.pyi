@@ -1824,7 +1824,11 @@ class Lighting:
         ...
     @staticmethod
     def ready(key: str) -> Lighting:
-        """A ready-made one: "noon", "afternoon", "dusk", "overcast" or "night"."""
+        """A ready-made one: "noon", "afternoon", "dusk", "overcast", "night" or "studio"."""
+    @staticmethod
+    def of_day(hours: float, haze: float = ...) -> Lighting:
+        """Sun or moon and sky as they are at an hour of 0–24, paler and softer the more haze
+        there is."""
 
 
 class Stage:
@@ -2880,7 +2884,7 @@ class Light(Entry):
     color: str
     """of its light; begins as '#fff4e0'"""
     cone: float
-    """how wide it opens, from edge to edge; 0.01 to 3; begins as 0.44"""
+    """how wide it opens, from edge to edge; 0.01 to 3 rad; begins as 0.44"""
     softness: float
     """share of the cone in which it fades out; 0: a sharp edge; 0 to 1; begins as 0.3"""
     beam: float

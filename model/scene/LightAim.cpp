@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "model/scene/LightAim.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
 #include "model/base/Bounds.h"
 
 namespace crowd::model {
@@ -52,6 +57,22 @@ std::optional<glm::vec3> aimedAt(const Light& light, const CrowdFrame* frame)
     }
     return light.aim == LightAim::Person ? chestOf(frame->population, light.person)
                                          : middleOf(frame->population, light.group);
+}
+
+glm::vec3 coneEdge(const Light& light, const glm::vec3& target, const glm::vec3& direction)
+{
+    constexpr float kWidestHalf = 1.45F; // radians; wider ones have no such circle
+    const glm::vec3 way = target - light.position;
+    const float length = std::max(glm::length(way), 1e-3F);
+    const glm::vec3 axis = length > 1e-3F ? way / length : glm::vec3(0.0F, -1.0F, 0.0F);
+    glm::vec3 aside = direction - axis * glm::dot(direction, axis);
+    if (glm::length(aside) < 1e-3F) { // one looks along it
+        const glm::vec3 helper =
+            std::abs(axis.y) < 0.9F ? glm::vec3(0.0F, 1.0F, 0.0F) : glm::vec3(1.0F, 0.0F, 0.0F);
+        aside = glm::cross(axis, helper);
+    }
+    const float half = std::min(light.coneRadians * 0.5F, kWidestHalf);
+    return target + glm::normalize(aside) * (length * std::tan(half));
 }
 
 } // namespace crowd::model

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "model/scene/LightAim.h"
 #include "tests/program/Test.h"
 #include "tests/widgets/Hand.h"
 #include "widgets/commands/LightCommands.h"
@@ -48,6 +49,7 @@ private Q_SLOTS:
     void shiftMovesItUpAndDown();
     void theTargetGoesOverTheGround();
     void controlLetsItGoWithSomebody();
+    void theEdgeOfTheConeOpensIt();
     void aClickOnALampChoosesIt();
     void escapeTakesADragBack();
     void handlesAreThereWhileOneIsChosen();
@@ -146,6 +148,36 @@ void TestLightHandles::controlLetsItGoWithSomebody()
     hand.modifiers = Qt::NoModifier;
     hand.drag(hand.pixelOf(man), hand.pixelOf(man) + QPointF(0.0, 90.0));
     QVERIFY(hand.light().aim == model::LightAim::Place);
+}
+
+void TestLightHandles::theEdgeOfTheConeOpensIt()
+{
+    LightHand hand;
+    const auto edge = [&hand] {
+        return hand.pixelOf(
+            coneEdge(hand.light(), hand.light().target, hand.state.camera().right()));
+    };
+    const float before = hand.light().coneRadians;
+    const QPointF middle = hand.pixelOf(hand.light().target);
+    const QPointF from = edge();
+    QVERIFY((from - middle).manhattanLength() > 20.0);
+    const QPointF to = middle + 1.5 * (from - middle);
+    hand.drag(from, to);
+    QCOMPARE(hand.document.undoStack().count(), hand.steps + 1);
+    QVERIFY2(hand.light().coneRadians > 1.3F * before,
+             qPrintable(QString::number(hand.light().coneRadians)));
+    QVERIFY((edge() - to).manhattanLength() < 4.0);
+    hand.drag(edge(), middle); // as narrow as can be, not closed
+    QVERIFY(hand.light().coneRadians > 0.01F && hand.light().coneRadians < before);
+    hand.document.undoStack().undo();
+    hand.document.undoStack().undo();
+    QCOMPARE(hand.light().coneRadians, before);
+    // One that shines to all sides has none.
+    changeLight(hand.state, hand.id, QStringLiteral("To all sides"),
+                [](model::Light& light) { light.kind = model::LightKind::Point; });
+    const int steps = hand.document.undoStack().count();
+    hand.drag(from, to);
+    QCOMPARE(hand.document.undoStack().count(), steps);
 }
 
 void TestLightHandles::aClickOnALampChoosesIt()

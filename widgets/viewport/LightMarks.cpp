@@ -99,7 +99,9 @@ void LightMarks::make(const EditorState& state, const model::CrowdFrame& frame)
         const auto target = aimedAt(light, &frame);
         if (isChosen && isAimed(light) && target) {
             addCone(light, *target, color);
-            addCross(*target, 0.02F * glm::distance(state.camera().position, *target), color);
+            const float metres = 0.02F * glm::distance(state.camera().position, *target);
+            addCross(*target, metres, color);
+            addCross(coneEdge(light, *target, state.camera().right()), 0.6F * metres, color);
         }
     }
 }
