@@ -111,6 +111,8 @@ struct RenderInput
     model::CrowdFramePtr frame; ///< null: nobody
     model::View view;           ///< in logical pixels; of a part, what belongs to that is drawn
     glm::ivec2 pixelSize{0};    ///< physical pixels; 0: the view's size
+    /// Of the framebuffer that the picture goes to, which it is scaled to; 0: it is as large.
+    glm::ivec2 framebufferSize{0};
     model::KeyframeStore& keyframes;
     std::span<const model::StageEntry> stages;
     /// Scene::worldSeats(), ascending by id: lifts seated people. Change the version with it.

@@ -173,6 +173,17 @@ void PictureTarget::end(const std::uint32_t* framebuffer, bool needsCopy)
     glBindFramebuffer(GL_FRAMEBUFFER, target != nullptr ? *target : m_resolved.name());
 }
 
+void PictureTarget::scaleTo(std::uint32_t framebuffer, glm::ivec2 size) const
+{
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_isCopied ? m_copy.name() : m_resolved.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    glBlitFramebuffer(0, 0, m_size.x, m_size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT,
+                      GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, size.x, size.y);
+}
+
 std::vector<std::uint8_t> PictureTarget::read() const
 {
     const PixelFormat format = formatOf(m_kind);

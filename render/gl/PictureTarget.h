@@ -38,6 +38,9 @@ public:
     /// goes to a framebuffer of its own instead of none. What is drawn then is encoded already: not
     /// of halves.
     void end(const std::uint32_t* framebuffer, bool needsCopy);
+    /// After end() without a framebuffer: the finished picture goes to that one, scaled to its
+    /// size; leaves that bound.
+    void scaleTo(std::uint32_t framebuffer, glm::ivec2 size) const;
     /// The texture with the resolved picture, alpha as it was drawn.
     [[nodiscard]] std::uint32_t resolved() const { return m_resolvedColor.name(); }
     /// The framebuffer of that texture.

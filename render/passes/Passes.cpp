@@ -251,12 +251,17 @@ model::Result<void> Passes::finish(const PassContext& context, const std::uint32
     if (input.ripeness) {
         drawn = sum.add(*input.ripeness, target.resolved(), target.resolvedFrame(), target.size());
     }
-    target.end(framebuffer, isHighlighted || isSmoothed);
+    const glm::ivec2 shown = input.framebufferSize;
+    const bool isScaled = framebuffer != nullptr && shown.x > 0 && shown != target.size();
+    target.end(isScaled ? nullptr : framebuffer, isHighlighted || isSmoothed);
     if (isSmoothed && drawn) {
         drawn = edges.draw(context, target.resolved());
     }
     if (isHighlighted) {
         outline.draw(context, target.resolved(), crowd, seen.planned());
+    }
+    if (isScaled) {
+        target.scaleTo(*framebuffer, shown);
     }
     return drawn;
 }

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
+#include <span>
+
+#include <epoxy/gl.h>
 
 #include <QtTest/QTest>
 
+#include "render/gl/GlObjects.h"
 #include "tests/program/Test.h"
 #include "tests/render/PictureBench.h"
 #include "tests/render/TestScene.h"
@@ -86,6 +91,7 @@ private Q_SLOTS:
     void aPictureRipens();
     void ripeningBeginsAnew();
     void whatMovesDoesNotRipen();
+    void aSmallerPictureFillsTheWindow();
 
 private:
     [[nodiscard]] render::RenderInput input();
@@ -232,6 +238,46 @@ void TestSmoothEdges::whatMovesDoesNotRipen()
     const Pixels plain = m_pixels;
     drawRipe(other, 0, 1);
     QCOMPARE(m_pixels, plain);
+}
+
+void TestSmoothEdges::aSmallerPictureFillsTheWindow()
+{
+    const render::GlFramebuffer frame = render::GlFramebuffer::create();
+    const render::GlTexture texture = render::GlTexture::create();
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kPixels, kPixels, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 nullptr);
+    glBindFramebuffer(GL_FRAMEBUFFER, frame.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.name(), 0);
+    render::RenderInput shown = input();
+    shown.frame = frameOf(makeRow(1), {entryFor(m_man)});
+    const std::vector<model::IndividualId> ids(shown.frame->population.ids().begin(),
+                                               shown.frame->population.ids().end());
+    for (const bool isSelected : {false, true}) {
+        shown.selected = isSelected ? std::span<const model::IndividualId>(ids)
+                                    : std::span<const model::IndividualId>();
+        shown.smoothsEdges = true;
+        shown.pixelSize = glm::ivec2(kPixels);
+        draw(shown);
+        const Pixels whole = m_pixels;
+        shown.pixelSize = glm::ivec2(kPixels / 2);
+        shown.framebufferSize = glm::ivec2(kPixels);
+        const auto drawn = m_renderer->draw(shown, frame.name());
+        QVERIFY2(drawn.isOk(), drawn ? "" : drawn.error().message.c_str());
+        Pixels scaled(whole.size());
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.name());
+        glReadPixels(0, 0, kPixels, kPixels, GL_RGBA, GL_UNSIGNED_BYTE, scaled.data());
+        for (std::size_t row = 0; row < kPixels / 2; ++row) { // to rows from the top
+            constexpr std::size_t kStride = std::size_t{kPixels} * 4;
+            std::swap_ranges(scaled.begin() + static_cast<std::ptrdiff_t>(row * kStride),
+                             scaled.begin() + static_cast<std::ptrdiff_t>((row + 1) * kStride),
+                             scaled.begin() +
+                                 static_cast<std::ptrdiff_t>((kPixels - 1 - row) * kStride));
+        }
+        const double lost = differenceOf(scaled, whole);
+        QVERIFY2(lost > 0.5 && lost < 14.0, qPrintable(QString::number(lost)));
+        shown.framebufferSize = glm::ivec2(0);
+    }
 }
 
 CROWD_TEST(TestSmoothEdges)

@@ -28,6 +28,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_PathDrawing
     tst_PeopleMarks
     tst_PickDrag
+    tst_PictureScale
     tst_Presets
     tst_RuleLog
     tst_RulePanel

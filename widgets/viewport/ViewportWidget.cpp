@@ -251,9 +251,6 @@ render::RenderInput ViewportWidget::renderInput()
     SceneQueries& queries = m_tools.queries();
     render::RenderInput input(queries.view(), m_state.keyframes());
     input.frame = m_state.frame();
-    const QSizeF pixels = QSizeF(size()) * devicePixelRatioF();
-    input.pixelSize = {static_cast<int>(std::lround(pixels.width())),
-                       static_cast<int>(std::lround(pixels.height()))};
     input.stages = m_state.scene().stages;
     input.seats = queries.seats();
     input.seatsVersion = queries.seatsVersion();
@@ -330,8 +327,17 @@ void ViewportWidget::chooseQuality()
     if (quality != PictureQuality::Automatic) {
         m_isCoarse = quality == PictureQuality::Fast;
     } else if (m_ripeness == 0) { // those that become one are all alike
-        m_isCoarse = m_isCoarse ? frameMs > kQuickMs : frameMs > kSlowMs;
+        const bool isSlow = frameMs > (m_isCoarse ? kQuickMs : kSlowMs);
+        m_isCoarse = isSlow || (m_isCoarse && m_scale.share() < 1.0);
     }
+}
+
+/// What stands still is drawn as large as it is shown.
+double ViewportWidget::pictureShare() const
+{
+    const bool mayBeSmaller =
+        m_isCoarse && isMoving() && m_state.viewOptions().quality != PictureQuality::Best;
+    return mayBeSmaller ? m_scale.share() : 1.0;
 }
 
 /// So many pictures of the same become one.
@@ -345,6 +351,11 @@ int ViewportWidget::picturesToRipen() const
 
 void ViewportWidget::setQuality(render::RenderInput& input) const
 {
+    const QSizeF pixels = QSizeF(size()) * devicePixelRatioF();
+    input.framebufferSize = {static_cast<int>(std::lround(pixels.width())),
+                             static_cast<int>(std::lround(pixels.height()))};
+    input.pixelSize = glm::max(glm::ivec2(glm::dvec2(input.framebufferSize) * pictureShare() + 0.5),
+                               glm::ivec2(1));
     input.samples = m_isCoarse ? 0 : input.samples;
     input.smoothsEdges = true;
     // The hysteresis hides flicker in motion; a picture at rest is the same whatever led to it.
@@ -372,6 +383,9 @@ void ViewportWidget::finishFrame()
     }
     const double frameMs = static_cast<double>(m_sinceDraw.nsecsElapsed()) * 1e-6;
     m_clock.noteFrameTime(frameMs);
+    if (m_isCoarse && !m_isShownFinal) {
+        m_scale.note(frameMs);
+    }
     m_frameTimes.add(frameMs);
     m_frameIntervals.add(static_cast<double>(m_sinceSwap.nsecsElapsed()) * 1e-6);
     m_sinceSwap.start();

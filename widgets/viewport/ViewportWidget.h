@@ -17,6 +17,7 @@
 #include "widgets/viewport/LightMarks.h"
 #include "widgets/viewport/PathDrawing.h"
 #include "widgets/viewport/PeopleMarks.h"
+#include "widgets/viewport/PictureScale.h"
 #include "widgets/viewport/PropertyLegend.h"
 #include "widgets/viewport/RelationArcs.h"
 #include "widgets/viewport/TakeGhosts.h"
@@ -52,6 +53,8 @@ public:
     [[nodiscard]] const FrameStatistics& statistics() const { return m_statistics; }
     /// Nothing moves, and no detail levels are left over from the way here. The picture may still
     /// ripen.
+    /// Share of the window's width and height that the next picture is drawn with.
+    [[nodiscard]] double pictureShare() const;
     [[nodiscard]] bool isAtRest() const { return m_isShownFinal && !isMoving(); }
     /// So many pictures of the same the one that is shown is the mean of.
     [[nodiscard]] int ripeness() const { return m_ripeness + 1; }
@@ -127,6 +130,7 @@ private:
     QTimer m_viewMotion;         ///< runs from a change of the view until it counts as still
     bool m_isShownFinal = false; ///< the last picture was drawn while nothing moved
     bool m_isCoarse = false;     ///< with one sample a pixel, to keep up with the hand
+    PictureScale m_scale;        ///< where even that does not
     QTimer m_ripens;             ///< runs until the next picture of those that become one
     int m_ripeness = 0;          ///< of the last picture: how many of the same were before it
     bool m_isRipening = false;   ///< the next picture is one more of the same
