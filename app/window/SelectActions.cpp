@@ -2,7 +2,6 @@
 #include "app/window/SelectActions.h"
 
 #include "app/window/MainWindow.h"
-#include "app/window/ViewSwitch.h"
 #include "widgets/commands/GroupCommands.h"
 #include "widgets/commands/RelationCommands.h"
 #include "widgets/commands/SelectionCommands.h"
@@ -17,6 +16,34 @@ using widgets::ViewOptions;
 bool hasSelection(MainWindow& window)
 {
     return !window.state().selection().isEmpty();
+}
+
+/// The brush in hand that has an area; null: it is the tool Select that the lasso is of.
+const model::BrushSettings* brushWithArea(MainWindow& window)
+{
+    const model::BrushSettings* brush = window.state().activeBrush();
+    return brush != nullptr && !brush->addsPlaces() ? brush : nullptr;
+}
+
+bool usesLasso(MainWindow& window)
+{
+    const model::BrushSettings* brush = brushWithArea(window);
+    return brush != nullptr ? brush->selection == model::BrushSelection::Lasso
+                            : window.state().viewOptions().selectsByLasso;
+}
+
+void useLasso(MainWindow& window, bool isOn)
+{
+    if (const model::BrushSettings* brush = brushWithArea(window)) {
+        model::BrushSettings changed = *brush;
+        changed.selection =
+            isOn ? model::BrushSelection::Lasso : model::BrushSelection::AllInCircle;
+        window.state().setBrush(changed);
+        return;
+    }
+    ViewOptions options = window.state().viewOptions();
+    options.selectsByLasso = isOn;
+    window.state().setViewOptions(options);
 }
 
 const WindowAction kSelectActions[] = {
@@ -49,10 +76,13 @@ const WindowAction kSelectActions[] = {
       QT_TRANSLATE_NOOP("Actions", "Without those who stand beside somebody not selected")},
      [](MainWindow& w, bool) { widgets::shrinkSelection(w.state()); },
      {.inputs = ActionInput::Selection, .isEnabled = hasSelection}},
-    viewSwitch<&ViewOptions::selectsByLasso>(
-        {"select-lasso", QT_TRANSLATE_NOOP("Actions", "Select with a &Lasso"), "select", "L",
-         QT_TRANSLATE_NOOP("Actions", "Draw a line round those to select; else a rectangle"),
-         true}),
+    {{"select-lasso", QT_TRANSLATE_NOOP("Actions", "Select with a &Lasso"), "select", "L",
+      QT_TRANSLATE_NOOP("Actions", "Draw a line round those to select, or to paint with a brush; "
+                                   "else a rectangle, or a circle"),
+      true},
+     &useLasso,
+     {.inputs = ActionInput::View | ActionInput::Tool | ActionInput::Brush,
+      .isChecked = &usesLasso}},
     {{"group-selected", QT_TRANSLATE_NOOP("Actions", "&Group Selected"), "group", "Ctrl+Alt+G",
       QT_TRANSLATE_NOOP("Actions", "A new group of the selected characters; it becomes active")},
      [](MainWindow& w, bool) { widgets::groupSelection(w.state()); },

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/brush/CreationEffect.h"
 
+#include <glm/geometric.hpp>
+
 #include "model/brush/NewPeople.h"
 #include "model/brush/Operator.h"
 
@@ -56,13 +58,29 @@ void CreationEffect::create(std::span<const Spot> spots, std::optional<float> st
     }
 }
 
+/// A hand that clicks moves a little: what it planted is one.
+bool CreationEffect::isOfTheClick(const Dab& dab)
+{
+    constexpr double kClickPixels = 8.0;
+    if (m_ground.settings.selection != BrushSelection::Point) {
+        return false;
+    }
+    if (!m_press) {
+        m_press = dab.pixels();
+        return false;
+    }
+    return m_created == 1 && glm::distance(dab.pixels(), *m_press) < kClickPixels;
+}
+
 void CreationEffect::apply(std::span<const StrokeDab> dabs)
 {
     for (const StrokeDab& dab : dabs) {
         if (!m_ground.context.goesOn(static_cast<std::size_t>(&dab - dabs.data()), dabs.size())) {
             return;
         }
-        create(spotsOfDab(m_site, m_ground.settings, m_ground.seed, dab.dab), dab.heading);
+        if (!isOfTheClick(dab.dab)) {
+            create(spotsOfDab(m_site, m_ground.settings, m_ground.seed, dab.dab), dab.heading);
+        }
     }
 }
 

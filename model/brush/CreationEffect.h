@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "model/brush/CreationSite.h"
 #include "model/brush/StrokeEffect.h"
 
@@ -26,9 +28,11 @@ public:
 
 private:
     void create(std::span<const Spot> spots, std::optional<float> strokeHeading);
+    [[nodiscard]] bool isOfTheClick(const Dab& dab);
 
     StrokeContext& m_ground;
     CreationSite m_site;
+    std::optional<glm::dvec2> m_press; ///< of a stroke of points
     int m_created = 0;
     StrokeReason m_reason = StrokeReason::None;
 };

@@ -86,6 +86,7 @@ private Q_SLOTS:
     void panelsAreRememberedAndReset();
     void pictureOnlyHidesThePanelsAndBringsThemBack();
     void numberKeysKeepAndShowCameras();
+    void theLassoIsOfTheToolInHand();
     void functionKeysKeepAndRecallStates();
     void recentFilesComeNewestFirst();
     void shortcutsAreRemembered();
@@ -569,6 +570,33 @@ void MainWindowTest::pictureOnlyHidesThePanelsAndBringsThemBack()
     openWindow();
     QVERIFY2(!m_window->dockLayout().dock(app::DockId::BrushSettings)->isHidden(),
              "the next start has its panels");
+}
+
+void MainWindowTest::theLassoIsOfTheToolInHand()
+{
+    openScene(plainScene(1), QStringLiteral("a.crowd"));
+    auto& state = m_window->state();
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    m_window->viewport().setFocus();
+    const QAction* action = m_window->actions().action("select-lasso");
+    const auto selection = [&state] { return state.brush(model::BrushKind::Colour).selection; };
+    state.setTool(widgets::ToolId::BrushColour);
+    QVERIFY(selection() != model::BrushSelection::Lasso);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_L);
+    QCOMPARE(selection(), model::BrushSelection::Lasso);
+    QVERIFY(action->isChecked());
+    QVERIFY(!state.viewOptions().selectsByLasso);
+    state.setTool(widgets::ToolId::Select);
+    QVERIFY(!action->isChecked());
+    QTest::keyClick(&m_window->viewport(), Qt::Key_L);
+    QVERIFY(state.viewOptions().selectsByLasso && action->isChecked());
+    QTest::keyClick(&m_window->viewport(), Qt::Key_L);
+    QVERIFY(!state.viewOptions().selectsByLasso);
+    state.setTool(widgets::ToolId::BrushColour);
+    QVERIFY(action->isChecked());
+    QTest::keyClick(&m_window->viewport(), Qt::Key_L);
+    QCOMPARE(selection(), model::BrushSelection::AllInCircle);
 }
 
 void MainWindowTest::numberKeysKeepAndShowCameras()

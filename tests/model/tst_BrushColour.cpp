@@ -14,6 +14,7 @@ class tst_BrushColour : public QObject
 
 private Q_SLOTS:
     void coloursOneSlotOrAllTintable();
+    void halfStrengthIsHalfwayToTheFormerColour();
     void sparesSkinAndHairWhereThereAreClothes();
     void replacesOrMultipliesAndUndoesBoth();
     void coloursRandomlyFromTheList();
@@ -37,6 +38,40 @@ void tst_BrushColour::coloursOneSlotOrAllTintable()
     QCOMPARE(scene.paint(view, settings, {pixelOf(view, {2, 0, 0})}).affected, 1);
     QCOMPARE(tintOf(scene, ids[1], 1), Tint{});
     QCOMPARE(tintOf(scene, ids[1], 2), (Tint{200, 100, 0, 128}));
+}
+
+void tst_BrushColour::halfStrengthIsHalfwayToTheFormerColour()
+{
+    BrushScene scene;
+    const Ids ids = scene.addPeople({{0, 0, 0}});
+    const View view = fromAbove();
+    const std::vector<glm::dvec2> there{pixelOf(view, {0, 0, 0})};
+    BrushSettings settings = colourBrush(BrushSelection::Point);
+    settings.as<ColourSettings>().colors = {{255, 0, 0}};
+    (void)scene.paint(view, settings, there);
+    QCOMPARE(tintOf(scene, ids[0], 1), (Tint{255, 0, 0, 255}));
+    settings.as<ColourSettings>().colors = {{0, 0, 255}};
+    settings.as<ColourSettings>().strength = 0.5F;
+    (void)scene.paint(view, settings, there);
+    QCOMPARE(tintOf(scene, ids[0], 1), (Tint{188, 0, 188, 255})); // half of the light of each
+    (void)scene.paint(view, settings, there);
+    const Tint nearer = tintOf(scene, ids[0], 1);
+    QVERIFY(nearer.blue > 188 && nearer.red < 188 && nearer.strength == 255);
+    // What is dyed half is covered by three quarters afterwards.
+    settings.as<ColourSettings>().strength = 0.0F;
+    settings.as<ColourSettings>().slot = "bottom";
+    BrushScene other;
+    const Ids fresh = other.addPeople({{0, 0, 0}});
+    settings.as<ColourSettings>().strength = 0.5F;
+    (void)other.paint(view, settings, there);
+    QCOMPARE(tintOf(other, fresh[0], 2), (Tint{0, 0, 255, 128}));
+    (void)other.paint(view, settings, there);
+    QCOMPARE(tintOf(other, fresh[0], 2), (Tint{0, 0, 255, 192}));
+    // A wipe over one spot colours once, however many dabs it has.
+    BrushScene wiped;
+    const Ids one = wiped.addPeople({{0, 0, 0}});
+    (void)wiped.paint(view, settings, {there[0], there[0] + glm::dvec2(4.0, 0.0), there[0]});
+    QCOMPARE(tintOf(wiped, one[0], 2), (Tint{0, 0, 255, 128}));
 }
 
 void tst_BrushColour::sparesSkinAndHairWhereThereAreClothes()

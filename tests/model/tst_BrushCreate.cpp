@@ -78,6 +78,7 @@ private Q_SLOTS:
     void fillsByDensity();
     void ghostIsWhatAPressCreates();
     void saysWhyNobodyCame();
+    void aClickThatMovesPlantsOne();
     void dragsOnTheGround();
     void dragsToAFreeSeat();
     void whoIsDraggedOntoAnotherChangesPlaces();
@@ -537,6 +538,21 @@ void tst_BrushCreate::saysWhyNobodyCame()
     scene.replaceMan(nullptr);
     QCOMPARE(scene.paint(view, settings, {{900.0, 500.0}}).reason, StrokeReason::TemplateNotLoaded);
     QCOMPARE(scene.document.undoStack().count(), 0);
+}
+
+/// Far away a body is a few pixels wide, and a click moves by as many.
+void tst_BrushCreate::aClickThatMovesPlantsOne()
+{
+    const View far(Camera::lookingAt({0, 160, 0.1F}, {0, 0, 0}), {1280.0F, 768.0F});
+    const glm::dvec2 press = pixelOf(far, {0, 0, 0});
+    const auto planted = [&](double pixels) {
+        BrushScene scene;
+        scene.paint(far, creator(BrushSelection::Point), {press, press + glm::dvec2(pixels, 0.0)});
+        return scene.people().size();
+    };
+    QCOMPARE(planted(0.0), std::size_t{1});
+    QCOMPARE(planted(7.0), std::size_t{1});
+    QVERIFY(planted(40.0) >= 3); // a drag goes on planting
 }
 
 void tst_BrushCreate::dragsOnTheGround()

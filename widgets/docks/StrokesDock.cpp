@@ -146,10 +146,12 @@ void StrokesDock::choose(int row)
     }
     const bool isExact = !m_chosen || strokes[*m_chosen].stroke.isExact;
     m_note->setText(
-        !m_chosen ? tr("The last strokes are listed here. Their settings can be changed until "
-                       "something else is edited.")
-                  : tr("People were elsewhere when this was painted, or got back what they had. "
-                       "Whom it meant then stays, until its area is changed."));
+        !m_chosen
+            ? tr("The last strokes are listed here. Their settings can be changed until "
+                 "something else is edited.")
+            : tr("Whom this met depends on more than the scene: it was playing, clips were "
+                 "still being loaded, or people got back what they had. They stay the ones it "
+                 "met, until its area is changed."));
     m_note->setVisible(!m_chosen || !isExact);
     for (QToolButton* button : m_buttons) {
         button->setEnabled(m_chosen.has_value());

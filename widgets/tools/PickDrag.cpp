@@ -23,28 +23,42 @@ struct PickDragText
     Q_DECLARE_TR_FUNCTIONS(BrushTool)
 };
 
-/// The tint that the slot wears, else the colour of its material.
-PaintColor colorOf(const model::Population& people, std::size_t row, const model::Template& asset,
-                   int slot)
+PaintColor paintOf(const glm::vec3& linear)
 {
-    if (slot < model::kMaxTintSlots) {
-        const model::Tint tint = people.column(model::columns::tint(slot))[row];
-        if (tint.strength > 0) {
-            return {tint.red, tint.green, tint.blue};
-        }
-    }
-    const model::Slot& worn = asset.slots[static_cast<std::size_t>(slot)];
-    const auto& choices = people.column(model::columns::materialChoices)[row];
-    std::size_t choice = slot < 8 ? choices[static_cast<std::size_t>(slot)] : 0;
-    choice = choice < worn.choices.size() ? choice : 0;
-    const glm::vec4& base = worn.choices[choice].baseColor;
     PaintColor color{};
     for (int c = 0; c < 3; ++c) {
-        const float encoded = model::srgbFromLinear(std::clamp(base[c], 0.0F, 1.0F));
+        const float encoded = model::srgbFromLinear(std::clamp(linear[c], 0.0F, 1.0F));
         color[static_cast<std::size_t>(c)] =
             static_cast<std::uint8_t>(std::lround(encoded * 255.0F));
     }
     return color;
+}
+
+/// The colour that one sees, were its cloth white where it is dyed, so that painting with it makes
+/// others alike: the tint as far as it covers; without one the colour of the material.
+PaintColor colorOf(const model::Population& people, std::size_t row, const model::Template& asset,
+                   int slot)
+{
+    const model::Slot& worn = asset.slots[static_cast<std::size_t>(slot)];
+    const auto& choices = people.column(model::columns::materialChoices)[row];
+    std::size_t choice = slot < 8 ? choices[static_cast<std::size_t>(slot)] : 0;
+    choice = choice < worn.choices.size() ? choice : 0;
+    const glm::vec3 base(worn.choices[choice].baseColor);
+    if (slot < model::kMaxTintSlots) {
+        const model::Tint tint = people.column(model::columns::tint(slot))[row];
+        const bool isReplaced =
+            ((people.column(model::columns::tintReplaces)[row] >> slot) & 1) != 0;
+        const glm::vec3 under = isReplaced ? base : glm::vec3(1.0F);
+        const glm::vec3 over =
+            model::linearFromSrgb(glm::vec3(tint.red, tint.green, tint.blue) * (1.0F / 255.0F));
+        if (tint.strength == 255) {
+            return {tint.red, tint.green, tint.blue};
+        }
+        if (tint.strength > 0) {
+            return paintOf(glm::mix(under, over, static_cast<float>(tint.strength) / 255.0F));
+        }
+    }
+    return paintOf(base);
 }
 
 /// The slot that the colour brush is set to when the person has it, else the one that was hit.
@@ -163,7 +177,13 @@ void PickDrag::release(const ToolInput& input)
                                        ? PickDragText::tr("Nothing to take there for this brush")
                                        : PickDragText::tr("Nobody under the cursor"));
     } else if (!m_label.isEmpty()) {
-        m_context.state.showStatus(PickDragText::tr("Taken: %1").arg(m_label));
+        const auto* create = m_before.find<model::CreateSettings>();
+        const bool areOthersLeft = create != nullptr && create->mix.size() > 1;
+        m_context.state.showStatus(
+            areOthersLeft
+                ? PickDragText::tr("Taken: %1. The other characters are not ticked any more.")
+                      .arg(m_label)
+                : PickDragText::tr("Taken: %1").arg(m_label));
     }
 }
 

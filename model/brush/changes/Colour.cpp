@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
+#include "model/base/Color.h"
 #include "model/brush/ColumnWriting.h"
 #include "model/brush/SlotChoice.h"
 
@@ -25,6 +28,28 @@ PaintColor colorAlong(const std::vector<PaintColor>& colors, double share)
             mixedByte(colors[first][c], colors[second][c], place - static_cast<double>(first));
     }
     return mixed;
+}
+
+/// What is seen lies so far between what was seen and the colour: of the cloth one sees what
+/// neither tint covers.
+Tint tintOver(const Tint& before, const PaintColor& color, double share)
+{
+    constexpr double kFull = 255.0;
+    const double left = before.strength / kFull * (1.0 - share);
+    const double strength = left + share;
+    if (strength <= 0.0) {
+        return {color[0], color[1], color[2], 0};
+    }
+    const auto mixed = [&](std::uint8_t was, std::uint8_t now) {
+        const auto light = [](std::uint8_t byte) {
+            return static_cast<double>(linearFromSrgb(static_cast<float>(byte) / 255.0F));
+        };
+        const auto linear = (light(was) * left + light(now) * share) / strength;
+        const double encoded = static_cast<double>(srgbFromLinear(static_cast<float>(linear)));
+        return mixedByte(0.0, kFull, std::clamp(encoded, 0.0, 1.0));
+    };
+    return {mixed(before.red, color[0]), mixed(before.green, color[1]),
+            mixed(before.blue, color[2]), mixedByte(0.0, kFull, std::min(strength, 1.0))};
 }
 
 Tint targetTint(const ColourSettings& settings, const OperatorResult& values, std::size_t i)
@@ -111,7 +136,14 @@ ChangeResult ColourSettings::change(const ChangeRequest& request)
             modes = static_cast<std::uint16_t>(settings.replaces ? modes | bit : modes & ~bit);
             const Tint before =
                 scene.population.column(columns::tint(static_cast<int>(index)))[row];
-            const Tint target = targetTint(settings, values.of(index), i);
+            const Tint full = targetTint(settings, values.of(index), i);
+            // Replaced cloth and dyed cloth have no colour between them.
+            const bool isAlike =
+                before.strength == 0 || ((replaced[row] & bit) != 0) == settings.replaces;
+            const Tint target = brush.buildUp || !isAlike || settings.strength >= 1.0F
+                                    ? full
+                                    : tintOver(before, {full.red, full.green, full.blue},
+                                               static_cast<double>(settings.strength));
             changes[index].set(id, before,
                                brush.buildUp ? steppedTint(before, target, brush.flow) : target);
         }
