@@ -75,7 +75,8 @@ model::Result<model::Scene> loadWorkload(const BenchRenderOptions& options)
         return scene;
     }
     if (options.triangles > 0) {
-        return makeBenchField({render::makeSyntheticPerson(options.triangles)}, options.count);
+        return makeBenchField({render::makeSyntheticPerson(options.triangles)}, options.count,
+                              options.field == "far");
     }
     std::vector<model::TemplatePtr> assets;
     for (const char* name : {"builtin:templates/man.glb", "builtin:templates/woman.glb"}) {
@@ -85,7 +86,7 @@ model::Result<model::Scene> loadWorkload(const BenchRenderOptions& options)
         }
         assets.push_back(asset.value());
     }
-    return makeBenchField(assets, options.count);
+    return makeBenchField(assets, options.count, options.field == "far");
 }
 
 /// Both ways of drawing with what they draw.
@@ -326,6 +327,7 @@ QJsonObject Comparison::report() const
     }
     const model::Mesh* mesh = asset != nullptr ? &asset->levels.front() : nullptr;
     QJsonObject json;
+    json[QStringLiteral("field")] = QString::fromStdString(m_options.field);
     json[QStringLiteral("count")] = static_cast<qint64>(m_scene.population.size());
     json[QStringLiteral("triangles")] =
         static_cast<qint64>(mesh != nullptr ? mesh->triangleCount() : 0);

@@ -10,6 +10,7 @@ namespace crowd::app {
 struct BenchRenderOptions
 {
     int count = 1000;
+    std::string field = "near";    ///< or "far": nobody is above 30 pixels of 720
     int triangles = 0;             ///< of a figure made in code; 0: the built-in man and woman
     std::string size = "1280x720"; ///< pixels
     std::string detail = "full";   ///< "full" or "levels"

@@ -66,7 +66,7 @@ void fill(IndividualRows& rows, std::size_t i, const TemplateEntry& entry)
 
 } // namespace
 
-Scene makeBenchField(const std::vector<TemplatePtr>& assets, int count)
+Scene makeBenchField(const std::vector<TemplatePtr>& assets, int count, bool isFar)
 {
     Scene scene;
     scene.name = "field";
@@ -79,13 +79,16 @@ Scene makeBenchField(const std::vector<TemplatePtr>& assets, int count)
         ids[i] = static_cast<IndividualId>(i + 1);
     }
     IndividualRows rows = IndividualRows::withDefaults(ids);
+    const float nearest = isFar ? kFarthest : kNearest;
     const float farthest =
-        kFarthest * std::max(1.0F, std::sqrt(static_cast<float>(count) / 1000.0F));
+        kFarthest * std::max(1.0F, std::sqrt(static_cast<float>(count) / 1000.0F)) + nearest -
+        kNearest;
     const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<float>(count))));
     for (std::size_t i = 0; i < ids.size(); ++i) {
         fill(rows, i, scene.templates[i % scene.templates.size()]);
-        const float depth = kNearest + (farthest - kNearest) * static_cast<float>(i / columns) /
-                                           static_cast<float>(columns);
+        const std::size_t row = i / columns;
+        const float depth =
+            nearest + (farthest - nearest) * static_cast<float>(row) / static_cast<float>(columns);
         const float side = (static_cast<float>(i % columns) + 0.5F) / static_cast<float>(columns);
         rows.column(model::columns::position)[i] = {
             (side * 2.0F - 1.0F) * kHalfWidthPerDepth * depth, 0.0F, -depth};

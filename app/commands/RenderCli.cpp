@@ -119,8 +119,13 @@ void addBenchRenderCommand(CLI::App& bench, BenchRenderOptions& options, int& st
 {
     CLI::App* command = bench.add_subcommand(
         "render", "Time our drawing against display lists with fixed-function light");
-    command->add_option("--count", options.count, "Characters")
-        ->check(CLI::Range(1, 1000000))
+    command->add_option("--count", options.count, "Characters; 0: what an empty picture takes")
+        ->check(CLI::Range(0, 1000000))
+        ->capture_default_str();
+    command
+        ->add_option("--field", options.field,
+                     "near: from 17 metres on, or far: from 50, where nobody is above 30 pixels")
+        ->check(CLI::IsMember({"near", "far"}))
         ->capture_default_str();
     command
         ->add_option("--triangles", options.triangles,

@@ -219,7 +219,7 @@ void CommandLineTest::measuresOnlyWhatMakesSense_data()
     const BadUsage rows[] = {
         {"nothing", "", 2, "subcommand"},
         {"what it cannot", "potato", 2, "subcommand is required"},
-        {"drawing nobody", "render --count 0", 2, "--count"},
+        {"drawing less than nobody", "render --count -1", 2, "--count"},
         {"drawing far too many", "render --count 2000000000", 2, "--count"},
         {"no frames", "render --frames 0", 2, "--frames"},
         {"size 0", "render --size 0x0", 2, "--size 0x0"},

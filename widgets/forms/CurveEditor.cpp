@@ -53,7 +53,8 @@ void CurveEditor::drawTo(const QPointF& point)
     const int way = std::abs(bin - m_lastBin);
     for (int i = 0; i <= way; ++i) {
         const float share = way == 0 ? 1.0F : static_cast<float>(i) / static_cast<float>(way);
-        m_curve.weights[static_cast<std::size_t>(m_lastBin + i * step)] =
+        const int passed = m_lastBin + i * step;
+        m_curve.weights[static_cast<std::size_t>(passed)] =
             m_lastWeight + (weight - m_lastWeight) * share;
     }
     m_lastBin = bin;

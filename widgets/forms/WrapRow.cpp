@@ -179,7 +179,8 @@ QSize WrapRow::sizeHint() const
 
 void WrapRow::setGeometry(const QRect& rect)
 {
-    QLayout::setGeometry(rect);
+    // A box would lay all of them out in one line.
+    QLayout::setGeometry(rect); // NOLINT(bugprone-parent-virtual-call)
     int top = rect.top();
     for (const Line& line : linesFor(rect.width())) {
         const int height = heightOf(line);
