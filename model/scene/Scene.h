@@ -91,13 +91,13 @@ constexpr auto ImportSettings::fields()
     using S = ImportSettings;
     return std::tuple(
         field(&S::scale,
-              {.key = "scale", .doc = "of what is in the file", .low = 1e-4, .high = 1e4}),
+              {.key = "scale", .doc = "of what is in the file", .low = 1e-9, .high = 1e9}),
         field(&S::rotation,
               {.key = "rotation", .doc = "a quaternion: which way is up and in front"}),
         field(&S::groundOffset, {.key = "groundOffset",
                                  .doc = "metres added to Y after scale and rotation",
-                                 .low = -1000.0,
-                                 .high = 1000.0}),
+                                 .low = -1e9,
+                                 .high = 1e9}),
         field(&S::removeRootMotion,
               {.key = "removeRootMotion", .doc = "clips that walk away stay where they are"}));
 }

@@ -39,7 +39,10 @@ constexpr auto Camera::fields()
 {
     using S = Camera;
     using C = FieldContext;
-    constexpr double kFarthest = 1e7; // metres
+    // Metres: as far as scripts can place it, and all that it sees from there.
+    constexpr double kFarthest = 1e9;
+    constexpr double kNearest = 1e-9;
+    constexpr double kLargest = 1e12;
     constexpr auto isParallel = [](const S& s, const C&) {
         return s.projection == Projection::Orthographic;
     };
@@ -82,8 +85,8 @@ constexpr auto Camera::fields()
                                                   "its upper one"),
                .doc = "metres from bottom to top, orthographic",
                .unit = QT_TRANSLATE_NOOP("Fields", " m"),
-               .low = 1e-6,
-               .high = kFarthest,
+               .low = kNearest,
+               .high = kLargest,
                .sliderLow = 1.0,
                .sliderHigh = 500.0,
                .step = 0.1,
@@ -92,8 +95,8 @@ constexpr auto Camera::fields()
             .when(isParallel),
         field(&S::pivotDistance, {.key = "pivotDistance",
                                   .doc = "metres to the point that orbiting turns around",
-                                  .low = 1e-6,
-                                  .high = kFarthest}));
+                                  .low = kNearest,
+                                  .high = kLargest}));
 }
 
 struct Ray

@@ -18,6 +18,7 @@
 #include "model/project/ProjectReader.h"
 #include "model/project/ProjectWriter.h"
 #include "model/project/SceneAssets.h"
+#include "tests/model/ProjectText.h"
 #include "tests/program/Test.h"
 
 using namespace crowd::model;
@@ -92,6 +93,7 @@ private Q_SLOTS:
     void keepsUnknownMembersWhereTheyStood();
     void refusesBadInputWithItsPlace_data();
     void refusesBadInputWithItsPlace();
+    void readsAllThatCanBeMade();
     void saysFirstThatAVersionIsNewer();
     void refusesTextThatIsNotUtf8();
     void refusesHugeHeaders();
@@ -338,6 +340,28 @@ void tst_ProjectFile::refusesBadInputWithItsPlace_data()
         changed("16777217]\n]", "16777217]\n], \"columns\": [\"id\"]"), "\"columns\" stands twice");
     row("something behind the end", std::string(kSmall) + "x", "not valid JSON at line 7");
     row("an object as row", changed("[4,1,[0,0.5,-1],\"#ff000080\",4294967295]", "{}"), "row 1");
+}
+
+/// The smallest scale of the import dialog, a lift that is proposed for what lies deep, and a wide
+/// camera as far away as scripts can place it.
+void tst_ProjectFile::readsAllThatCanBeMade()
+{
+    Scene scene;
+    TemplateEntry entry;
+    entry.id = 1;
+    entry.name = "deep";
+    entry.path = "/tmp/deep.glb";
+    entry.import.scale = 0.00001F;
+    entry.import.groundOffset = 25000.0F;
+    scene.templates.push_back(entry);
+    Camera far = Camera::lookingAt({1e9F, 1e9F, -1e9F}, {-1e9F, 0.0F, 1e9F});
+    far.fovYRadians = 2.967F;
+    far.orthographicHeight = 2.0F * far.pivotDistance * std::tan(far.fovYRadians * 0.5F);
+    scene.cameras.push_back({"far", far});
+    const auto read = projectFromText(crowd::testing::projectText(scene));
+    QVERIFY2(read.isOk(), read ? "" : read.error().message.c_str());
+    QVERIFY(read.value().templates.front().import == entry.import);
+    QVERIFY(read.value().cameras.front().camera == far);
 }
 
 void tst_ProjectFile::refusesBadInputWithItsPlace()
