@@ -312,6 +312,7 @@ void ViewportWidget::paintGL()
     if (m_isSceneNew) { // what the old one was drawn from goes
         m_isSceneNew = false;
         m_renderer->releaseUnused();
+        m_scale.forget(); // another one takes another time
     }
     setProblem(result ? model::Message() : result.error().said);
     m_input.setShownSeconds(m_state.transport().seconds());
