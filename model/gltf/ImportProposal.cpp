@@ -7,22 +7,21 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
 #include "model/bake/Pose.h"
+#include "model/gltf/BodyKind.h"
 #include "model/gltf/GroundSpeed.h"
 
 namespace crowd::model {
 
 namespace {
 
-constexpr float kSmallest = 0.1F; ///< metres: no proposal for what lies between
-constexpr float kLargest = 12.0F;
 constexpr float kSmallestLift = 0.001F;
-constexpr float kTypical = 1.5F;
 constexpr std::size_t kMostClips = 256; ///< looked at for the way it walks
 constexpr float kQuarter = std::numbers::pi_v<float> / 2.0F;
 
@@ -31,16 +30,88 @@ float largest(const glm::vec3& size)
     return std::max({size.x, size.y, size.z});
 }
 
-/// Units that files are made in by mistake: centimetres, millimetres, inches, decimetres.
-float proposeScale(float extent)
+/// Three digits that count, or as many as there are before the point.
+std::string number(float value)
 {
-    if (extent <= 0.0F || (extent >= kSmallest && extent <= kLargest)) {
-        return 1.0F;
+    const double size = std::abs(static_cast<double>(value));
+    const int decimals =
+        size > 0.0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 9) : 0;
+    std::array<char, 64> text{};
+    const char* end = std::to_chars(text.data(), text.data() + text.size(),
+                                    static_cast<double>(value), std::chars_format::fixed, decimals)
+                          .ptr;
+    std::string digits(text.data(), static_cast<std::size_t>(end - text.data()));
+    if (decimals > 0) {
+        digits.erase(digits.find_last_not_of('0') + 1);
     }
-    constexpr std::array kUnits{0.01F, 0.001F, 0.0254F, 0.1F, 10.0F, 100.0F, 1000.0F};
-    const auto misfit = [&](float unit) { return std::abs(std::log(extent * unit / kTypical)); };
+    return digits.back() == '.' ? digits.substr(0, digits.size() - 1) : digits;
+}
+
+/// Units that files are made in by mistake: centimetres, millimetres, inches, decimetres.
+constexpr std::array kUnits{0.01F, 0.001F, 0.0254F, 0.1F, 10.0F, 100.0F, 1000.0F};
+
+float nearestUnit(float extent, float usual)
+{
+    const auto misfit = [&](float unit) { return std::abs(std::log(extent * unit / usual)); };
     return *std::min_element(kUnits.begin(), kUnits.end(),
                              [&](float a, float b) { return misfit(a) < misfit(b); });
+}
+
+/// Two digits that count.
+float rounded(float value)
+{
+    const float step = std::pow(10.0F, std::floor(std::log10(value)) - 1.0F);
+    return std::round(value / step) * step;
+}
+
+/// To where nobody wonders: by another unit where that fits well, else to what is usual, where that
+/// is known.
+float proposeScale(const BodyGuess& guess, float extent)
+{
+    constexpr float kFitsWell = 1.4F;
+    if (extent <= 0.0F || (extent >= guess.smallest && extent <= guess.largest)) {
+        return 1.0F;
+    }
+    const float unit = nearestUnit(extent, guess.usual);
+    const bool isKnown = guess.kind == BodyKind::Person || guess.kind == BodyKind::Animal;
+    const float ratio = extent * unit / guess.usual;
+    const bool fits = ratio < kFitsWell && ratio > 1.0F / kFitsWell;
+    return isKnown && !fits ? rounded(guess.usual / extent) : unit;
+}
+
+/// The height of people, the largest extent of all else.
+float extentOf(const BodyGuess& guess, const glm::vec3& size)
+{
+    return guess.kind == BodyKind::Person ? size.y : largest(size);
+}
+
+Message scaleReason(const BodyGuess& guess, float extent, float scale)
+{
+    if (guess.kind == BodyKind::Person) {
+        return {QT_TRANSLATE_NOOP("Messages", "It is built like a person and %1 m tall; import it "
+                                              "at scale %2, or at 1 if it is a giant."),
+                number(extent), number(scale)};
+    }
+    if (*guess.word != 0) {
+        return {QT_TRANSLATE_NOOP("Messages", "It is named \"%1\" and %2 m large; import it at "
+                                              "scale %3, or at 1 if it is meant to be so."),
+                guess.word, number(extent), number(scale)};
+    }
+    return {QT_TRANSLATE_NOOP("Messages", "It is %1 m large as it is; import it at scale %2."),
+            number(extent), number(scale)};
+}
+
+/// Of what is not proposed, since games have such animals.
+std::optional<Message> doubt(const BodyGuess& guess, float extent)
+{
+    constexpr float kStrange = 2.5F;
+    const float ratio = extent / guess.usual;
+    if (*guess.word == 0 || (ratio < kStrange && ratio > 1.0F / kStrange)) {
+        return std::nullopt;
+    }
+    return Message{QT_TRANSLATE_NOOP("Messages", "It is named \"%1\" and %2 m large: scale %3 "
+                                                 "would make it as large as one."),
+                   guess.word, number(extent), number(rounded(guess.usual / extent))};
 }
 
 /// Upright along Z: thin and centred in Y, standing on Z = 0.
@@ -183,23 +254,6 @@ float proposeLift(const Bounds& bounds)
     return sinks || isFarAbove ? -bounds.low.y : 0.0F;
 }
 
-/// Three digits that count, or as many as there are before the point.
-std::string number(float value)
-{
-    const double size = std::abs(static_cast<double>(value));
-    const int decimals =
-        size > 0.0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 9) : 0;
-    std::array<char, 64> text{};
-    const char* end = std::to_chars(text.data(), text.data() + text.size(),
-                                    static_cast<double>(value), std::chars_format::fixed, decimals)
-                          .ptr;
-    std::string digits(text.data(), static_cast<std::size_t>(end - text.data()));
-    if (decimals > 0) {
-        digits.erase(digits.find_last_not_of('0') + 1);
-    }
-    return digits.back() == '.' ? digits.substr(0, digits.size() - 1) : digits;
-}
-
 } // namespace
 
 ImportProposal proposeImport(const Template& asset)
@@ -209,14 +263,18 @@ ImportProposal proposeImport(const Template& asset)
     if (asset.bounds.isEmpty()) {
         return proposal;
     }
+    const bool isLying = standsAlongZ(asset.bounds);
     const glm::vec3 size = asset.bounds.size();
-    settings.scale = proposeScale(largest(size));
+    const glm::vec3 upright = isLying ? glm::vec3(size.x, size.z, size.y) : size;
+    const BodyGuess guess = guessBody(asset, upright);
+    const float extent = extentOf(guess, upright);
+    settings.scale = proposeScale(guess, extent);
     if (settings.scale != 1.0F) {
-        proposal.reasons.emplace_back(
-            QT_TRANSLATE_NOOP("Messages", "It is %1 m large as it is; import it at scale %2."),
-            number(largest(size)), number(settings.scale));
+        proposal.reasons.push_back(scaleReason(guess, extent, settings.scale));
+    } else if (auto strange = doubt(guess, extent)) {
+        proposal.reasons.push_back(*std::move(strange));
     }
-    if (standsAlongZ(asset.bounds)) {
+    if (isLying) {
         settings.rotation = glm::angleAxis(-kQuarter, glm::vec3(1.0F, 0.0F, 0.0F));
         proposal.reasons.emplace_back(QT_TRANSLATE_NOOP(
             "Messages", "It seems to lie on its back: Z was up where it was made."));

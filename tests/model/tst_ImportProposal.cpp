@@ -43,6 +43,8 @@ private Q_SLOTS:
     void leavesPlausibleFilesAlone();
     void bringsUnitsToMetres_data();
     void bringsUnitsToMetres();
+    void knowsHowLargeItsLikeIs_data();
+    void knowsHowLargeItsLikeIs();
     void standsUpWhatLies();
     void turnsToTheFront_data();
     void turnsToTheFront();
@@ -83,6 +85,63 @@ void tst_ImportProposal::bringsUnitsToMetres()
     QCOMPARE(proposal.settings.scale, scale);
     QCOMPARE(proposal.reasons.size(), std::size_t{1});
     QVERIFY(std::abs(proposal.height - height * scale) < 1e-4F);
+}
+
+void tst_ImportProposal::knowsHowLargeItsLikeIs_data()
+{
+    using Names = std::vector<const char*>;
+    QTest::addColumn<Names>("nodes");
+    QTest::addColumn<Names>("clips");
+    QTest::addColumn<float>("height");
+    QTest::addColumn<float>("length");
+    QTest::addColumn<float>("scale");
+    QTest::addColumn<bool>("isSaid");
+    const Names body{"LeftForeArm", "RightUpLeg", "Head"};
+    const Names legs{"front_leg.L", "hind_leg.R", "tail"};
+    const auto row = [](const char* name, const Names& nodes, const Names& clips, float height,
+                        float length, float scale, bool isSaid) {
+        QTest::newRow(name) << nodes << clips << height << length << scale << isSaid;
+    };
+    row("somebody", body, {"Idle"}, 1.8F, 0.4F, 1.0F, false);
+    row("a child", body, {"Idle"}, 1.1F, 0.4F, 1.0F, false);
+    row("a robot of 4.5 m", body, {"Idle"}, 4.5F, 1.2F, 0.39F, true);
+    row("somebody of 9.9 m", body, {"Idle"}, 9.9F, 2.0F, 0.18F, true);
+    row("somebody in centimetres", body, {"Idle"}, 178.0F, 40.0F, 0.01F, true);
+    row("a horse of 4.8 m", legs, {"Horse_Gallop"}, 3.6F, 4.8F, 0.5F, true);
+    row("a horse", legs, {"Horse_Gallop"}, 1.7F, 2.4F, 1.0F, false);
+    row("a rat of 2.3 m", legs, {"Rat_Run"}, 1.0F, 2.3F, 1.0F, true); // games have such
+    row("some animal of 9 m", legs, {"Gallop"}, 5.0F, 9.0F, 0.16F, true);
+    row("a tank", {"Turret", "wheel_01"}, {"Drive"}, 2.4F, 7.5F, 1.0F, false);
+    row("a lorry", {"Chassis", "Wheel.FL"}, {"Drive"}, 4.0F, 16.0F, 1.0F, false);
+    row("a tank in centimetres", {"Turret", "wheel_01"}, {"Drive"}, 240.0F, 750.0F, 0.01F, true);
+    row("a helicopter", {"MainRotor"}, {"Fly"}, 3.5F, 14.0F, 1.0F, false);
+}
+
+void tst_ImportProposal::knowsHowLargeItsLikeIs()
+{
+    using Names = std::vector<const char*>;
+    QFETCH(const Names, nodes);
+    QFETCH(const Names, clips);
+    QFETCH(const float, height);
+    QFETCH(const float, length);
+    QFETCH(const float, scale);
+    QFETCH(const bool, isSaid);
+    Template asset;
+    asset.nodes.resize(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        asset.nodes[i].name = nodes[i];
+    }
+    asset.clips.resize(clips.size());
+    for (std::size_t i = 0; i < clips.size(); ++i) {
+        asset.clips[i].name = clips[i];
+    }
+    asset.bounds.add({-0.2F * height, 0.0F, -0.5F * length});
+    asset.bounds.add({0.2F * height, height, 0.5F * length});
+    asset.height = height;
+    const ImportProposal proposal = proposeImport(asset);
+    QVERIFY2(std::abs(proposal.settings.scale - scale) < 0.01F * scale,
+             qPrintable(QString::number(static_cast<double>(proposal.settings.scale))));
+    QCOMPARE(!proposal.reasons.empty(), isSaid);
 }
 
 void tst_ImportProposal::standsUpWhatLies()
