@@ -14,6 +14,7 @@
 #include "model/gltf/GltfImport.h"
 #include "model/gltf/ImportProposal.h"
 #include "model/project/SceneAssets.h"
+#include "widgets/commands/ViewCommands.h"
 #include "widgets/dialogs/ClipsDialog.h"
 #include "widgets/dialogs/ImportDialog.h"
 #include "widgets/dialogs/LibraryDialog.h"
@@ -351,9 +352,13 @@ void AssetController::addStage(const QString& path)
             entry.name = entryName(path);
             entry.path = QFileInfo(path).absoluteFilePath().toStdString();
             entry.asset = asset.value();
-            m_state.document().edit(tr("Import stage"), [&](model::SceneEdit& edit) {
-                Q_EMIT stageAdded(edit.addStage(entry));
-            });
+            const auto outcome =
+                m_state.document().edit(tr("Import stage"), [&](model::SceneEdit& edit) {
+                    Q_EMIT stageAdded(edit.addStage(entry));
+                });
+            if (outcome != model::EditOutcome::Refused) {
+                widgets::frameAll(m_state); // it may be anywhere, and of any size
+            }
         });
 }
 

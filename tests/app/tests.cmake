@@ -1,4 +1,5 @@
 crowd_add_tests(ROOM app LINK crowd_app TESTS
+    tst_AssetDialogs
     tst_DescribedStruct
     tst_FindByName
     tst_Interruptions

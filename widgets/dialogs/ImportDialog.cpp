@@ -98,6 +98,8 @@ ImportDialog::ImportDialog(const QString& path, model::TemplatePtr asset,
         m_upAxis->addItem(QCoreApplication::translate("ImportDialog", up.name));
     }
     m_turn->setSuffix(QStringLiteral("°"));
+    m_scale->setObjectName(QStringLiteral("importScale"));
+    m_height->setObjectName(QStringLiteral("importHeight"));
     m_turn->setWrapping(true);
     m_height->setSuffix(tr(" m"));
     m_groundOffset->setSuffix(tr(" m"));
@@ -140,6 +142,7 @@ void ImportDialog::buildLayout()
     m_buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_import = m_buttons->addButton(tr("&Import"), QDialogButtonBox::AcceptRole);
     m_import->setDefault(true);
+    m_import->setObjectName(QStringLiteral("import"));
     QPushButton* proposal = m_buttons->addButton(tr("As &Proposed"), QDialogButtonBox::ResetRole);
     connect(proposal, &QPushButton::clicked, this, &ImportDialog::propose);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
