@@ -119,6 +119,19 @@ template<class S, class T>
     return {get, set, meta};
 }
 
+/// All fields of a base of S, which are shown only where the condition holds.
+template<class S, class Base>
+struct InheritedFields
+{
+    bool (*isShown)(const S&, const FieldContext&);
+};
+template<class S, class Base>
+[[nodiscard]] constexpr InheritedFields<S, Base> inherited(bool (*isShown)(const S&,
+                                                                           const FieldContext&))
+{
+    return {isShown};
+}
+
 /// A described member without its types. Lives as long as the program.
 struct FieldInfo
 {
@@ -136,15 +149,16 @@ struct FieldInfo
     std::span<const FieldInfo> children{};
     std::type_index structType = typeid(void);
     std::function<void*(void*)> childOf;
+    /// What it, or an item of a list, keeps of members that this version does not know, JSON text;
+    /// empty: it keeps none.
+    std::function<std::string*(void*)> unknownOf;
 
     // A list of structs with fields of their own, which are `children`.
     std::function<std::size_t(const void*)> count;
     std::function<void(void*, std::size_t)> resize;
     std::function<void(void*, std::size_t)> erase;
     std::function<void*(void*, std::size_t)> itemOf;
-    /// What an item keeps of members that this version does not know, JSON text.
-    std::function<std::string*(void*)> unknownOf;
-    const void* newItem = nullptr; ///< as an item begins
+    const void* newItem = nullptr; ///< as an item, or a struct of its own, begins
     std::size_t itemBytes = 0;     ///< of an item's struct
 
     [[nodiscard]] bool isList() const { return static_cast<bool>(count); }
@@ -256,6 +270,11 @@ template<class Owner, class S, class T>
         info.childOf = [member, editable](void* object) -> void* {
             return &(editable(object)->*member);
         };
+        static const T kNew;
+        info.newItem = &kNew;
+        if constexpr (requires(T & child) { child.unknownMembers; }) {
+            info.unknownOf = [](void* child) { return &static_cast<T*>(child)->unknownMembers; };
+        }
     } else if constexpr (ListOfDescribed<T>) {
         eraseList<T>(info,
                      [member, editable](void* object) -> T& { return editable(object)->*member; });
@@ -293,6 +312,26 @@ template<class Owner, class S, class T>
     return info;
 }
 
+template<class Owner, class Described>
+void appendFields(std::vector<FieldInfo>& fields, const Described& field)
+{
+    fields.push_back(erased<Owner>(field));
+}
+template<class Owner, class Base>
+void appendFields(std::vector<FieldInfo>& fields, const InheritedFields<Owner, Base>& base)
+{
+    const auto append = [&](const auto& field) {
+        FieldInfo info = erased<Owner>(field);
+        info.isShown = [all = base.isShown, own = info.isShown](const void* object,
+                                                                const FieldContext& context) {
+            return all(*static_cast<const Owner*>(object), context) &&
+                   (!own || own(object, context));
+        };
+        fields.push_back(std::move(info));
+    };
+    std::apply([&append](const auto&... each) { (append(each), ...); }, Base::fields());
+}
+
 } // namespace detail
 
 template<class T>
@@ -305,7 +344,12 @@ template<class S>
 std::span<const FieldInfo> fieldsOf()
 {
     static const std::vector<FieldInfo> kFields = std::apply(
-        [](const auto&... each) { return std::vector<FieldInfo>{detail::erased<S>(each)...}; },
+        [](const auto&... each) {
+            std::vector<FieldInfo> fields;
+            fields.reserve(sizeof...(each));
+            (detail::appendFields<S>(fields, each), ...);
+            return fields;
+        },
         S::fields());
     return kFields;
 }

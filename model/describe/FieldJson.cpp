@@ -402,6 +402,32 @@ json itemsJson(const FieldInfo& list, void* data)
     return items;
 }
 
+json groupJson(const FieldInfo& group, void* inside)
+{
+    json object = json::object();
+    addFields(object, group.children, inside);
+    return group.unknownOf ? withUnknown(*group.unknownOf(inside), object) : object;
+}
+
+void readGroup(JsonFields& source, const FieldInfo& group, void* data, WrongValue wrong)
+{
+    const json* inside = source.find(group.meta.key);
+    if (inside == nullptr) {
+        return;
+    }
+    Message ignored;
+    const bool isKept = wrong == WrongValue::Keep;
+    JsonFields members =
+        (isKept ? source.apart(ignored) : source).part(*inside, source.placeOf(group.meta.key));
+    void* child = group.childOf(data);
+    readFields(members, group.children, child, wrong);
+    if (group.unknownOf) {
+        *group.unknownOf(child) = members.unknown();
+    } else if (!isKept) {
+        (void)members.unknown(); // complains where there may be none
+    }
+}
+
 /// As many as there are; of one that is wrong nothing is read any more.
 void readItems(JsonFields& source, const FieldInfo& list, void* data)
 {
@@ -430,9 +456,11 @@ void addFields(json& object, std::span<const FieldInfo> fields, const void* data
         if (field.isList()) {
             object[field.meta.key] = itemsJson(field, const_cast<void*>(data)); // only read
         } else if (field.isGroup()) {
-            json inside = json::object();
-            addFields(inside, field.children, field.childOf(const_cast<void*>(data)));
-            object[field.meta.key] = std::move(inside);
+            json inside = groupJson(field, field.childOf(const_cast<void*>(data)));
+            if (!field.meta.isBrief ||
+                inside != groupJson(field, const_cast<void*>(field.newItem))) {
+                object[field.meta.key] = std::move(inside);
+            }
         } else {
             object[field.meta.key] = std::visit(
                 [&](const auto& each) { return toJson(field.meta, each); }, field.get(data));
@@ -448,17 +476,10 @@ void readFields(JsonFields& source, std::span<const FieldInfo> fields, void* dat
         }
         if (field.isList()) {
             readItems(source, field, data);
-        } else if (!field.isGroup()) {
+        } else if (field.isGroup()) {
+            readGroup(source, field, data, wrong);
+        } else {
             readField(source, field, data, wrong);
-        } else if (const json* inside = source.find(field.meta.key)) {
-            Message ignored;
-            const bool isKept = wrong == WrongValue::Keep;
-            JsonFields members = (isKept ? source.apart(ignored) : source)
-                                     .part(*inside, source.placeOf(field.meta.key));
-            readFields(members, field.children, field.childOf(data), wrong);
-            if (!isKept) {
-                (void)members.unknown(); // complains where there may be none
-            }
         }
     }
 }

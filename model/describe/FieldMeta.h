@@ -81,6 +81,7 @@ struct FieldMeta
     /// has a meaning of its own; empty: it has none.
     const char* zero = "";
     bool isStored = true; ///< in files and scripts; see computed()
+    bool isBrief = false; ///< a struct: files leave it out while it is as it begins
 };
 
 } // namespace crowd::model

@@ -195,6 +195,12 @@ bool areItemsSame(const FieldInfo& list, void* a, void* b)
     return isSame;
 }
 
+bool areGroupsSame(const FieldInfo& group, void* a, void* b)
+{
+    return areFieldsSame(group.children, a, b) &&
+           (!group.unknownOf || *group.unknownOf(a) == *group.unknownOf(b));
+}
+
 } // namespace
 
 bool areFieldsSame(std::span<const FieldInfo> fields, const void* a, const void* b)
@@ -205,9 +211,8 @@ bool areFieldsSame(std::span<const FieldInfo> fields, const void* a, const void*
         if (field.isList()) {
             return areItemsSame(field, left, right);
         }
-        return field.isGroup()
-                   ? areFieldsSame(field.children, field.childOf(left), field.childOf(right))
-                   : isSame(field.get(a), field.get(b));
+        return field.isGroup() ? areGroupsSame(field, field.childOf(left), field.childOf(right))
+                               : isSame(field.get(a), field.get(b));
     });
 }
 
@@ -230,6 +235,13 @@ std::size_t bytesOfItems(const FieldInfo& list, void* object)
     return total;
 }
 
+std::size_t bytesOfGroup(const FieldInfo& group, void* object)
+{
+    void* inside = group.childOf(object);
+    const std::size_t unknown = group.unknownOf ? group.unknownOf(inside)->size() : 0;
+    return bytesOfFields(group.children, inside) + unknown;
+}
+
 } // namespace
 
 std::size_t bytesOfFields(std::span<const FieldInfo> fields, const void* object)
@@ -240,8 +252,7 @@ std::size_t bytesOfFields(std::span<const FieldInfo> fields, const void* object)
         if (field.isList()) {
             total += bytesOfItems(field, read);
         } else {
-            total += field.isGroup() ? bytesOfFields(field.children, field.childOf(read))
-                                     : bytesOutside(field.get(object));
+            total += field.isGroup() ? bytesOfGroup(field, read) : bytesOutside(field.get(object));
         }
     }
     return total;

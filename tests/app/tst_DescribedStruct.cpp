@@ -107,6 +107,49 @@ struct Lantern
     friend bool operator==(const Lantern&, const Lantern&) = default;
 };
 
+/// Inside another: what files may say of it that nobody knows.
+struct Flag
+{
+    int stripes = 3;
+    std::string unknownMembers{};
+
+    static constexpr auto fields()
+    {
+        return std::tuple(field(&Flag::stripes, {.key = "stripes", .high = 9.0}));
+    }
+    friend bool operator==(const Flag&, const Flag&) = default;
+};
+
+struct Tent
+{
+    float ridge = 2.0F;
+    float pegs = 8.0F;
+
+    static constexpr auto fields()
+    {
+        return std::tuple(
+            field(&Tent::ridge, {.key = "ridge", .high = 9.0}),
+            field(&Tent::pegs, {.key = "pegs", .high = 99.0})
+                .when([](const Tent& s, const FieldContext&) { return s.ridge > 1.0F; }));
+    }
+};
+
+/// One kind of which is a tent.
+struct Shelter : Tent
+{
+    bool isTent = true;
+    Flag flag;
+
+    static constexpr auto fields()
+    {
+        using S = Shelter;
+        return std::tuple(
+            field(&S::isTent, {.key = "is_tent"}),
+            inherited<S, Tent>([](const S& s, const FieldContext&) { return s.isTent; }),
+            field(&S::flag, {.key = "flag", .isBrief = true}));
+    }
+};
+
 /// Different in every field.
 Lantern changedLantern()
 {
@@ -220,6 +263,38 @@ private Q_SLOTS:
         QVERIFY(source.isSound());
         QVERIFY(source.unknown().empty());
         QVERIFY(read == written);
+    }
+
+    void hasTheFieldsOfWhatItIs()
+    {
+        const auto fields = fieldsOf<Shelter>();
+        QCOMPARE(fields.size(), std::size_t{4});
+        Shelter shelter;
+        fields[1].set(&shelter, 5.0F);
+        QCOMPARE(shelter.ridge, 5.0F);
+        QVERIFY(fields[1].isShown(&shelter, {}) && fields[2].isShown(&shelter, {}));
+        shelter.ridge = 0.5F;
+        QVERIFY(fields[1].isShown(&shelter, {}) && !fields[2].isShown(&shelter, {}));
+        shelter.isTent = false;
+        QVERIFY(!fields[1].isShown(&shelter, {}));
+        nlohmann::json object = nlohmann::json::object();
+        addFields(object, fields, &shelter);
+        QCOMPARE(object["ridge"].get<float>(), 0.5F); // kept, though it counts for nothing now
+        QVERIFY(!object.contains("flag"));            // it is as it begins
+    }
+
+    void keepsWhatIsNotKnownWithinIt()
+    {
+        const nlohmann::json parsed =
+            nlohmann::json::parse(R"({"flag": {"stripes": 3, "fringe": true}})");
+        Shelter read;
+        Message problem;
+        JsonFields source(parsed, "shelter", problem);
+        readFields(source, fieldsOf<Shelter>(), &read);
+        QVERIFY(source.isSound() && source.unknown().empty());
+        nlohmann::json again = nlohmann::json::object();
+        addFields(again, fieldsOf<Shelter>(), &read);
+        QVERIFY(again["flag"] == parsed["flag"]);
     }
 
     void refusesInJsonWhatNoMemberMayHave()
