@@ -135,6 +135,15 @@ void addHaze(Lighting& light)
 
 } // namespace
 
+bool isDark(const Lighting& lighting)
+{
+    constexpr float kLampsGoOn = 0.45F; // overcast is twice as bright, dusk a third darker
+    const glm::vec3 eye(0.2126F, 0.7152F, 0.0722F);
+    const float sun = glm::dot(lighting.sunColor, eye) * lighting.sunStrength *
+                      std::max(std::sin(lighting.sunElevationRadians), 0.0F);
+    return sun + glm::dot(lighting.ambientColor, eye) * lighting.ambientStrength < kLampsGoOn;
+}
+
 void setDayHours(Lighting& lighting, float hours)
 {
     const float turned = (wrapped(hours, kHoursADay) / kHoursADay - 0.5F) * kTurn;
@@ -172,6 +181,34 @@ float dayHours(const Lighting& lighting)
     const float turned =
         isHigh ? std::copysign(turnedTo(lighting.sunElevationRadians), byAzimuth) : byAzimuth;
     return wrapped((turned / kTurn + 0.5F) * kHoursADay, kHoursADay);
+}
+
+void followHaze(Lighting& lighting, const Lighting& before)
+{
+    constexpr float kAlike = 0.02F;
+    if (lighting.haze == before.haze) {
+        return;
+    }
+    const float hours = dayHours(before);
+    Lighting made = before;
+    setDayHours(made, hours);
+    const auto isAlike = [](const glm::vec3& a, const glm::vec3& b) {
+        return glm::length(a - b) < kAlike;
+    };
+    const bool isAsMade = isAlike(made.sunColor, before.sunColor) &&
+                          isAlike(made.ambientColor, before.ambientColor) &&
+                          isAlike(made.skyZenith, before.skyZenith) &&
+                          isAlike(made.skyHorizon, before.skyHorizon) &&
+                          std::abs(made.sunStrength - before.sunStrength) < kAlike &&
+                          std::abs(made.ambientStrength - before.ambientStrength) < kAlike;
+    if (!isAsMade) {
+        return;
+    }
+    const float azimuth = lighting.sunAzimuthRadians; // it may have been turned
+    const float elevation = lighting.sunElevationRadians;
+    setDayHours(lighting, hours);
+    lighting.sunAzimuthRadians = azimuth;
+    lighting.sunElevationRadians = elevation;
 }
 
 } // namespace crowd::model

@@ -172,6 +172,11 @@ void ShaderProgram::set(const char* name, const glm::mat4& value)
     glUniformMatrix4fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
 }
 
+void ShaderProgram::set(const char* name, std::span<const float> values)
+{
+    glUniform1fv(location(name), static_cast<GLsizei>(values.size()), values.data());
+}
+
 void ShaderProgram::set(const char* name, std::span<const glm::vec4> values)
 {
     glUniform4fv(location(name), static_cast<GLsizei>(values.size()),

@@ -65,16 +65,19 @@ void PassContext::setLights(ShaderProgram& program) const
 {
     std::vector<glm::vec4> places;
     std::vector<glm::vec4> axes;
+    std::vector<float> squares;
     std::vector<glm::vec4> colors;
     const std::vector<float>& offsets = lightShadows.offsets;
     for (const PlacedLight& light : style.lights) {
         const std::size_t index = colors.size();
         places.emplace_back(light.position, light.edgeSlope);
         axes.emplace_back(light.axis, light.edgeCosine);
+        squares.push_back(light.sizeMetres * light.sizeMetres);
         colors.emplace_back(light.color, index < offsets.size() ? offsets[index] : 0.0F);
     }
     program.set("lightPlaces[0]", places);
     program.set("lightAxes[0]", axes);
+    program.set("lightSquares[0]", squares);
     program.set("lightColors[0]", colors);
     if (!lightShadows.mapsFromWorld.empty()) {
         program.set("lightShadowMap", kLightShadowUnit);

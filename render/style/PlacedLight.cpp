@@ -25,14 +25,16 @@ struct ShiningLight
     float turnRadians = 0.0F;
 };
 
-std::vector<ShiningLight> shining(std::span<const Light> lights, const CrowdFrame* frame)
+std::vector<ShiningLight> shining(std::span<const Light> lights, const CrowdFrame* frame,
+                                  bool isDark)
 {
     std::vector<ShiningLight> on;
     for (const Light& light : lights) {
         const LightNow now = frame != nullptr
                                  ? lightNow(light, frame->lightCues.get(), frame->seconds)
                                  : lightNow(light, nullptr, 0.0);
-        if (now.share > 0.0F && light.strength > 0.0F) {
+        const bool isTime = isDark || !light.isOnlyAfterDark;
+        if (isTime && now.share > 0.0F && light.strength > 0.0F) {
             on.push_back({light, now.turnRadians});
             on.back().light.strength *= now.share;
         }
@@ -52,6 +54,7 @@ PlacedLight placed(const Light& light, const glm::vec3& target)
     const glm::vec3 srgb =
         glm::vec3(light.color[0], light.color[1], light.color[2]) * (1.0F / 255.0F);
     made.color = linearFromSrgb(srgb) * (light.strength * kLightMetres * kLightMetres);
+    made.sizeMetres = light.sizeMetres;
     made.castsShadows = light.castsShadows;
     if (!isAimed(light)) {
         return made;
@@ -89,10 +92,11 @@ void castersFirst(std::vector<PlacedLight>& lights)
 
 } // namespace
 
-std::vector<PlacedLight> placedLights(std::span<const Light> lights, const CrowdFrame* frame)
+std::vector<PlacedLight> placedLights(std::span<const Light> lights, const CrowdFrame* frame,
+                                      bool isDark)
 {
     std::vector<PlacedLight> made;
-    for (const ShiningLight& each : shining(lights, frame)) {
+    for (const ShiningLight& each : shining(lights, frame, isDark)) {
         if (const auto target = aimedAt(each.light, frame)) {
             made.push_back(placed(each.light, turnedAim(each.light, *target, each.turnRadians)));
         }

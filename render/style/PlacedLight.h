@@ -23,18 +23,19 @@ struct PlacedLight
     float edgeCosine = -1.0F; ///< where its cone ends
     float edgeSlope = 1.0F;   ///< brightness per cosine from there towards the middle
     glm::vec3 color{1.0F};    ///< on a surface that faces it a metre away
+    float sizeMetres = 0.5F;  ///< what is nearer gets no brighter
     float coneRadians = 0.0F; ///< from edge to edge; 0: none
     float beam = 0.0F;        ///< share of it that is seen in the air
     float reach = 0.0F;       ///< metres to what it is turned to
     bool castsShadows = false;
 };
 
-/// Where those that are on shine to, with people where a frame has them; the strongest of them
-/// where they are more than model::kMostLightsDrawn. Those that aim at nobody who is there are left
-/// out. First those that cast shadows, the strongest of those that are to, at most
-/// model::kMostLightShadows: spotlights, then those that shine to all sides.
+/// Where those that are on shine to while it is dark or not, with people where a frame has them;
+/// the strongest of them where they are more than model::kMostLightsDrawn. Those that aim at nobody
+/// who is there are left out. First those that cast shadows, the strongest of those that are to, at
+/// most model::kMostLightShadows: spotlights, then those that shine to all sides.
 [[nodiscard]] std::vector<PlacedLight> placedLights(std::span<const model::Light> lights,
-                                                    const model::CrowdFrame* frame);
+                                                    const model::CrowdFrame* frame, bool isDark);
 
 /// How many of the first cast shadows, and how many of these first are spotlights.
 struct LightCasters

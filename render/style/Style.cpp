@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/Color.h"
+#include "model/scene/DayLight.h"
 
 namespace crowd::render {
 
@@ -53,7 +54,7 @@ void useLight(Style& style, const RenderInput& input, const LookInfo& look,
               const model::Lighting& lighting)
 {
     if (!look.isByProperty) {
-        style.lights = placedLights(input.lights, input.frame.get());
+        style.lights = placedLights(input.lights, input.frame.get(), isDark(lighting));
     }
     style.tone = Tone::from(lighting);
     // Soft darkness is not drawn with ink.

@@ -29,6 +29,7 @@ float hazeAt(vec3 world)
 // LIGHTS: their number, known when it is compiled, so that the loop is none.
 uniform vec4 lightPlaces[LIGHTS]; // where they are; brightness per cosine within the edge of the cone
 uniform vec4 lightAxes[LIGHTS];   // towards the lamp, 0 for all sides; cosine of the edge
+uniform float lightSquares[LIGHTS]; // of the distance within which they get no brighter
 uniform vec4 lightColors[LIGHTS]; // a metre away; how far from the surface its shadow is asked for there
 
 #ifdef LIGHT_SHADOWS
@@ -81,14 +82,15 @@ vec3 lightsAt(vec3 world, vec3 normal
     vec3 sum = vec3(0.0);
     for (int i = 0; i < LIGHTS; ++i) {
         vec3 way = lightPlaces[i].xyz - world;
-        float perSquare = 1.0 / max(dot(way, way), 0.25);
-        vec3 towards = way * sqrt(perSquare);
+        float square = max(dot(way, way), 1e-6);
+        float perSquare = 1.0 / max(square, lightSquares[i]);
+        vec3 towards = way * inversesqrt(square);
         float cone = clamp((dot(towards, lightAxes[i].xyz) - lightAxes[i].w) * lightPlaces[i].w, 0.0, 1.0);
         float got = perSquare * cone * cone;
         float facing = max(dot(normal, towards), 0.0);
 #ifdef LIGHT_SHADOWS
         if (i < LIGHT_SHADOWS && facing * got > 0.0) {
-            got *= lightLeft(min(i, LIGHT_SHADOWS - 1), world, normal, 1.0 / sqrt(perSquare));
+            got *= lightLeft(min(i, LIGHT_SHADOWS - 1), world, normal, sqrt(square));
         }
 #endif
         sum += lightColors[i].rgb * (facing * got);

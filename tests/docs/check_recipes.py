@@ -41,7 +41,7 @@ EXAMPLES = {
                                     users=("model/rules/RuleSets.cpp",)),
     "A field of the light": Example(r"\bskyZenith\b", most=3,
                                      users=("model/scene/ReadyLight.cpp", "model/scene/DayLight.cpp")),
-    "A kind of light": Example(r"\bLightKind::Point\b|\"point\", QT", most=4),
+    "A kind of light": Example(r"\bLightKind::Point\b|\bkPointLight\b|\bbeginPoint\b", most=6),
     "A look": Example(r"\bLook::Plain\b|\"plain\"", users=("app/commands/BenchRender.cpp",), most=3),
     "A kind of mark": Example(r"\bMarkKind::Event\b|\"event\", QT", most=5,
                               users=("model/rules/*",)),

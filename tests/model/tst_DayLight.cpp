@@ -38,7 +38,9 @@ private Q_SLOTS:
     void everyHourIsLegal();
     void aDayGoesItsWay();
     void hazeMakesItPale();
+    void theSkyFollowsHaze();
     void theRestStays();
+    void lampsGoOnAtDusk();
 };
 
 void TestDayLight::theHourIsReadBack()
@@ -111,6 +113,31 @@ void TestDayLight::hazeMakesItPale()
     QVERIFY(hazy.ambientStrength > 1.3F * clear.ambientStrength);
 }
 
+void TestDayLight::theSkyFollowsHaze()
+{
+    for (const float hours : {8.0F, 15.0F, 18.5F, 23.0F}) {
+        const Lighting clear = lightAt(hours);
+        Lighting hazy = clear;
+        hazy.haze = 0.8F;
+        followHaze(hazy, clear);
+        const Lighting wanted = lightAt(hours, 0.8F);
+        QVERIFY(glm::length(hazy.skyHorizon - wanted.skyHorizon) < 0.03F);
+        QVERIFY(std::abs(hazy.sunStrength - wanted.sunStrength) < 0.03F);
+        Lighting again = hazy; // and back
+        again.haze = 0.0F;
+        followHaze(again, hazy);
+        QVERIFY(glm::length(again.skyZenith - clear.skyZenith) < 0.05F);
+    }
+    // What somebody has chosen stays.
+    Lighting own = lightAt(15.0F);
+    own.skyZenith = {0.8F, 0.1F, 0.1F};
+    Lighting hazy = own;
+    hazy.haze = 0.8F;
+    followHaze(hazy, own);
+    QCOMPARE(hazy.skyZenith, own.skyZenith);
+    QCOMPARE(hazy.sunStrength, own.sunStrength);
+}
+
 void TestDayLight::theRestStays()
 {
     Lighting light = newLighting();
@@ -123,6 +150,24 @@ void TestDayLight::theRestStays()
     QCOMPARE(light.exposureStops, before.exposureStops);
     QCOMPARE(light.occlusion, before.occlusion);
     QCOMPARE(light.unknownMembers, before.unknownMembers);
+}
+
+void TestDayLight::lampsGoOnAtDusk()
+{
+    const auto isDarkIn = [](const char* key) { return isDark(findReadyLight(key)->light); };
+    QVERIFY(isDarkIn("dusk") && isDarkIn("night"));
+    QVERIFY(!isDarkIn("noon") && !isDarkIn("afternoon") && !isDarkIn("overcast"));
+    QVERIFY(!isDarkIn("studio") && !isDark(newLighting()));
+    int changes = 0;
+    bool wasDark = true;
+    for (float hours = 0.0F; hours < 24.0F; hours += 0.25F) {
+        Lighting light;
+        setDayHours(light, hours);
+        changes += isDark(light) != wasDark ? 1 : 0;
+        wasDark = isDark(light);
+    }
+    QCOMPARE(changes, 2); // off in the morning, on in the evening
+    QVERIFY(wasDark);
 }
 
 CROWD_TEST(TestDayLight)

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <string_view>
+
 #include <QtTest/QTest>
 
 #include "model/document/SceneEdit.h"
@@ -46,6 +49,7 @@ class TestLightList : public QObject
 
 private Q_SLOTS:
     void filesKeepThem();
+    void anotherKindKeepsWhatItHad();
     void filesFromBeforeHaveNone();
     void whatIsNotKnownIsKept();
     void refusesWhatIsWrong_data();
@@ -66,6 +70,20 @@ void TestLightList::filesKeepThem()
     QCOMPARE(projectText(read.value()), text);
     document.undoStack().undo();
     QCOMPARE(projectText(document.scene()), before);
+}
+
+void TestLightList::anotherKindKeepsWhatItHad()
+{
+    Light light = newLight(LightKind::Spot, {1.0F, 0.0F, 2.0F}, {0.0F, 2.0F, 9.0F});
+    light.coneRadians = 1.25F;
+    const glm::vec3 target = light.target;
+    const FieldInfo& kind = *std::ranges::find_if(fieldsOf<Light>(), [](const FieldInfo& each) {
+        return std::string_view(each.meta.key) == "kind";
+    });
+    kind.set(&light, std::int64_t{1});
+    QVERIFY(!isAimed(light));
+    kind.set(&light, std::int64_t{0});
+    QVERIFY(isAimed(light) && light.coneRadians == 1.25F && light.target == target);
 }
 
 void TestLightList::filesFromBeforeHaveNone()

@@ -64,6 +64,8 @@ private Q_SLOTS:
     void cleanupTestCase() { m_renderer->destroy(); }
     void aSpotLightsWhatItIsTurnedTo();
     void aPointLightShinesToAllSides();
+    void streetLampsGoOnAfterDark();
+    void aLargeLampDoesNotBurn();
     void theColourIsTheLights();
     void whatIsOffCostsNoPixel();
     void stagesAndPeopleAreLit();
@@ -78,6 +80,8 @@ private Q_SLOTS:
     void theStrongestCast();
     void oddOnesDoNoHarm();
     void oddCastersDoNoHarm();
+    void aLampInAWallShinesOnlyOutOfIt();
+    void aBlackSunIsNoSun();
 
 private:
     [[nodiscard]] render::RenderInput night();
@@ -143,6 +147,48 @@ void TestLights::aPointLightShinesToAllSides()
         QVERIFY(at(x, z).y > at(3.9F, 3.9F).y && at(x, z).y < middle);
         QVERIFY(std::abs(at(x, z).y - at(2.0F, 0.0F).y) <= 4);
     }
+}
+
+void TestLights::streetLampsGoOnAfterDark()
+{
+    model::Light lamp = spotOn({1.0F, 0.0F, -2.0F});
+    shine(night(), {lamp});
+    const std::vector<std::uint8_t> lit = m_pixels;
+    lamp.isOnlyAfterDark = true;
+    shine(night(), {lamp});
+    QCOMPARE(m_pixels, lit);
+    render::RenderInput day = night();
+    day.lighting = model::Lighting();
+    shine(day, {});
+    const std::vector<std::uint8_t> sunny = m_pixels;
+    shine(day, {lamp});
+    QCOMPARE(m_pixels, sunny);
+    lamp.isOnlyAfterDark = false;
+    shine(day, {lamp});
+    QVERIFY(m_pixels != sunny);
+}
+
+void TestLights::aLargeLampDoesNotBurn()
+{
+    model::Light light = spotOn({0.0F, 0.0F, 0.0F});
+    light.kind = model::LightKind::Point;
+    light.position = {0.0F, 0.5F, 0.0F};
+    light.strength = 0.02F;
+    shine(night(), {light});
+    QVERIFY(at(0.0F, 0.0F).y == 255);
+    const int away = at(3.9F, 0.0F).y;
+    light.sizeMetres = 3.0F;
+    shine(night(), {light});
+    QVERIFY2(at(0.0F, 0.0F).y < 230, qPrintable(QString::number(at(0.0F, 0.0F).y)));
+    QVERIFY(at(0.0F, 0.0F).y > away); // it is no darker under it than beside it
+    QCOMPARE(at(3.9F, 0.0F).y, away);
+    // Nor does its size take anything from a cone.
+    model::Light spot = spotOn({1.0F, 0.0F, -2.0F});
+    shine(night(), {spot});
+    const std::vector<std::uint8_t> small = m_pixels;
+    spot.sizeMetres = 9.0F;
+    shine(night(), {spot});
+    QCOMPARE(m_pixels, small);
 }
 
 void TestLights::theColourIsTheLights()
@@ -434,6 +480,37 @@ void TestLights::oddOnesDoNoHarm()
     shine(night(), {inside, wide, black, strong, far});
     QVERIFY(at(3.0F, 3.0F).y == 255);
     QVERIFY(at(-2.0F, 2.0F).y > 0 && at(-2.0F, 2.0F).y < 255);
+}
+
+void TestLights::aLampInAWallShinesOnlyOutOfIt()
+{
+    render::RenderInput input = night();
+    const std::vector<model::StageEntry> stages{boardOver(0.0F, 0.0F, 1.0F)};
+    input.stages = stages;
+    model::Light within = slanting(0.0F, 0.0F);
+    within.kind = model::LightKind::Point;
+    within.position = {0.0F, 1.0F, 0.0F}; // in the board itself
+    within.strength = 0.05F;
+    shine(input, {within});
+    const std::vector<std::uint8_t> once = m_pixels;
+    QVERIFY(at(0.0F, 0.0F).y >= 0);
+    QVERIFY(at(3.0F, 0.0F).y > 0 && at(3.0F, 0.0F).y < 255);
+    shine(input, {within});
+    QCOMPARE(m_pixels, once);
+}
+
+void TestLights::aBlackSunIsNoSun()
+{
+    render::RenderInput none = night();
+    none.lighting.shadowStrength = 1.0F;
+    draw(none);
+    const std::vector<std::uint8_t> dark = m_pixels;
+    render::RenderInput black = none;
+    black.lighting.sunStrength = 1000.0F;
+    black.lighting.sunColor = glm::vec3(0.0F);
+    black.lighting.highlights = 4.0F;
+    draw(black);
+    QCOMPARE(m_pixels, dark);
 }
 
 void TestLights::oddCastersDoNoHarm()

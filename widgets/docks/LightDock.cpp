@@ -13,6 +13,7 @@
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QVBoxLayout>
 
+#include "model/scene/DayLight.h"
 #include "model/scene/ReadyLight.h"
 #include "widgets/commands/LightCommands.h"
 #include "widgets/forms/FieldForm.h"
@@ -311,8 +312,10 @@ void LightDock::takeItem(const QListWidgetItem& item)
 
 void LightDock::changeLighting(const std::function<void(void*)>& apply)
 {
-    model::Lighting light = m_state.scene().lighting;
+    const model::Lighting& before = m_state.scene().lighting;
+    model::Lighting light = before;
     apply(&light);
+    followHaze(light, before);
     put(light);
 }
 
