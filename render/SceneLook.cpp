@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "model/base/Color.h"
-#include "model/scene/ReadyLight.h"
 
 namespace crowd::render {
 
@@ -32,10 +31,7 @@ glm::vec3 srgbOf(const model::PaintColor& color)
 void useLook(RenderInput& input, const model::LookPreset& look)
 {
     input.look = lookOf(look.style);
-    const auto light = static_cast<std::size_t>(look.light);
-    if (const auto* ready = model::findReadyLight(model::kLookLights[light].key)) {
-        input.lighting = model::litAs(*ready, input.lighting);
-    }
+    input.lighting = model::lightIn(look, input.lighting);
     if (!look.hasLamps) {
         input.lights = {};
     }

@@ -2868,7 +2868,7 @@ class Cue(Entry):
 
 class Light(Entry):
     """A light that stands in the scene, beside sun and sky."""
-    def __init__(self, *, id: int, name: str = ..., on: bool = ..., kind: Literal["spot", "point"] = ..., strength: float = ..., color: Union[str, Sequence[int]] = ..., cone: float = ..., softness: float = ..., beam: float = ..., shadows: bool = ..., aim: Literal["place", "person", "group"] = ..., target: Sequence[float] = ..., person: int = ..., group: Union[int, Group] = ..., position: Sequence[float] = ...) -> None:
+    def __init__(self, *, id: int, name: str = ..., on: bool = ..., kind: Literal["spot", "point"] = ..., strength: float = ..., color: Union[str, Sequence[int]] = ..., size: float = ..., after_dark: bool = ..., shadows: bool = ..., cone: float = ..., softness: float = ..., beam: float = ..., aim: Literal["place", "person", "group"] = ..., target: Sequence[float] = ..., person: int = ..., group: Union[int, Group] = ..., position: Sequence[float] = ...) -> None:
         ...
     id: int
     """of no other light of the scene; must be given"""
@@ -2883,15 +2883,20 @@ class Light(Entry):
     1000; begins as 1.0"""
     color: str
     """of its light; begins as '#fff4e0'"""
+    size: float
+    """of the lamp: what is nearer to it than that gets no brighter; 0.01 to 1000 m; begins as
+    0.5"""
+    after_dark: bool
+    """it shines only while sun and sky are dark, as street lamps; begins as False"""
+    shadows: bool
+    """people and stages cast shadows in its light; of those that are to, the four strongest do;
+    begins as False"""
     cone: float
     """how wide it opens, from edge to edge; 0.01 to 3 rad; begins as 0.44"""
     softness: float
     """share of the cone in which it fades out; 0: a sharp edge; 0 to 1; begins as 0.3"""
     beam: float
     """how much of it is seen in the air, as in smoke; 0 to 1; begins as 0.15"""
-    shadows: bool
-    """people and stages cast shadows in its light; of those that are to, the four strongest do;
-    begins as False"""
     aim: Literal["place", "person", "group"]
     """what it turns to; begins as 'place'"""
     target: List[float]
@@ -2904,9 +2909,59 @@ class Light(Entry):
     """where the lamp is; m"""
 
 
+class LookLight(Entry):
+    """Sun and sky of a look, where they are its own."""
+    def __init__(self, *, sun_azimuth: float = ..., sun_elevation: float = ..., sun_color: Sequence[float] = ..., sun_strength: float = ..., shadow_strength: float = ..., shadow_softness: float = ..., highlights: float = ..., ambient_color: Sequence[float] = ..., ambient_strength: float = ..., occlusion: float = ..., sky_zenith: Sequence[float] = ..., sky_horizon: Sequence[float] = ..., ground: Sequence[float] = ..., ground_grid: bool = ..., haze: float = ..., haze_height: float = ..., exposure: float = ..., white: float = ..., tone: Literal["none", "filmic"] = ...) -> None:
+        ...
+    sun_azimuth: float
+    """where the sun stands, from +Z towards +X; -1e6 to 1e6 rad; begins as 0.6"""
+    sun_elevation: float
+    """how high it stands over the horizon; -1e6 to 1e6 rad; begins as 0.9"""
+    sun_color: List[float]
+    """of the sun"""
+    sun_strength: float
+    """of the sun; 1: as on a clear day; 0 to 1000; begins as 1.0"""
+    shadow_strength: float
+    """how dark the shadows are that people and stages cast; 0: none are cast; 0 to 1; begins as
+    0.0"""
+    shadow_softness: float
+    """the angle that the sun takes in the sky: the larger, the softer its shadows; 0 to 0.5;
+    begins as 0.02"""
+    highlights: float
+    """how strongly smooth surfaces mirror the sun, the lamps and the sky; 0: not; 0 to 4; begins
+    as 0.0"""
+    ambient_color: List[float]
+    """of the light that comes from all of the sky"""
+    ambient_strength: float
+    """of the sky's light; 0 to 1000; begins as 0.6"""
+    occlusion: float
+    """how dark it is in corners and where bodies meet ground and seats; 0: not; 0 to 1; begins
+    as 0.0"""
+    sky_zenith: List[float]
+    """the sky overhead"""
+    sky_horizon: List[float]
+    """the sky at the horizon, and the ground far away"""
+    ground: List[float]
+    """of the ground"""
+    ground_grid: bool
+    """lines a metre apart; begins as True"""
+    haze: float
+    """share of what is a hundred metres away that the air hides; 0 to 0.999; begins as 0.0"""
+    haze_height: float
+    """metres above 0 where a third of it is left, as of mist; 0: it is everywhere alike; 0 to
+    10000 m; begins as 0.0"""
+    exposure: float
+    """stops: each doubles the brightness; -10 to 10; begins as 0.0"""
+    white: float
+    """the light that looks white, kelvin: lower makes the picture bluer; 1500 to 20000 K; begins
+    as 6500.0"""
+    tone: Literal["none", "filmic"]
+    """what brightness beyond white becomes: white, or it rolls off as on film; begins as 'none'"""
+
+
 class Look(Entry):
     """A way of drawing that belongs to the scene."""
-    def __init__(self, *, id: int, name: str = ..., style: Literal["plain", "lit", "cartoon", "clay", "silhouettes", "blueprint", "wireframe", "property"] = ..., by: str = ..., light: Literal["scene", "noon", "afternoon", "dusk", "overcast", "night", "studio"] = ..., lamps: bool = ..., shadows: bool = ..., own_background: bool = ..., background: Union[str, Sequence[int]] = ..., ground: bool = ..., own_outline: bool = ..., outline_width: float = ..., outline: Union[str, Sequence[int]] = ...) -> None:
+    def __init__(self, *, id: int, name: str = ..., style: Literal["plain", "lit", "cartoon", "clay", "silhouettes", "blueprint", "wireframe", "property"] = ..., by: str = ..., light: Literal["scene", "noon", "afternoon", "dusk", "overcast", "night", "studio", "own"] = ..., lamps: bool = ..., shadows: bool = ..., own_background: bool = ..., background: Union[str, Sequence[int]] = ..., ground: bool = ..., own_outline: bool = ..., outline_width: float = ..., outline: Union[str, Sequence[int]] = ..., own_light: Union[LookLight, Dict[str, Any]] = ...) -> None:
         ...
     id: int
     """of no other look of the scene; must be given"""
@@ -2916,8 +2971,8 @@ class Look(Entry):
     """how surfaces are drawn; begins as 'lit'"""
     by: str
     """what people are coloured by, of "property"; begins as 'template'"""
-    light: Literal["scene", "noon", "afternoon", "dusk", "overcast", "night", "studio"]
-    """sun and sky: those of the scene, or ready-made ones; begins as 'scene'"""
+    light: Literal["scene", "noon", "afternoon", "dusk", "overcast", "night", "studio", "own"]
+    """sun and sky: those of the scene, ready-made ones, or its own; begins as 'scene'"""
     lamps: bool
     """the lights that stand in the scene shine; begins as True"""
     shadows: bool
@@ -2934,6 +2989,8 @@ class Look(Entry):
     """of outlines; 0: none; 0 to 20 px; begins as 2.0"""
     outline: str
     """of outlines; begins as '#141218'"""
+    own_light: LookLight
+    """of "own": sun and sky"""
 
 
 class Mark(Entry):

@@ -313,6 +313,8 @@ def _entry(name, value, where):
     base = _bases[name]
     if isinstance(value, base):
         return value
+    if name == "LookLight" and isinstance(value, Lighting):
+        return base(**{attribute: getattr(value, attribute) for attribute in base._fields})
     if not isinstance(value, dict):
         raise Error(f"{where} must be a {name} or a dict, not {_shortly(value)}.")
     return base.from_dict(value)

@@ -16,6 +16,7 @@
 #include "model/scene/Feature.h"
 #include "model/scene/Group.h"
 #include "model/scene/Light.h"
+#include "model/scene/Lighting.h"
 #include "model/scene/LookPreset.h"
 #include "model/scene/Relation.h"
 #include "model/scene/Timeline.h"
@@ -26,25 +27,29 @@ namespace {
 
 using nlohmann::json;
 
-/// The class of what a list holds.
-const char* itemName(const FieldInfo& list)
+/// The class of a struct, or of what a list holds.
+const char* structName(const FieldInfo& field)
 {
-    const std::array<std::pair<std::type_index, const char*>, 5> names{{
+    const std::array<std::pair<std::type_index, const char*>, 6> names{{
         {typeid(FeatureValue), "FeatureValue"},
         {typeid(FeatureClip), "FeatureClip"},
         {typeid(FeatureSlot), "FeatureSlot"},
         {typeid(FeatureMaterial), "FeatureMaterial"},
         {typeid(FeaturePart), "FeaturePart"},
+        {typeid(Lighting), "LookLight"},
     }};
     const auto* found =
-        std::ranges::find(names, list.structType, &decltype(names)::value_type::first);
+        std::ranges::find(names, field.structType, &decltype(names)::value_type::first);
     return found->second;
 }
 
 std::string typeOf(const FieldInfo& field)
 {
     if (field.isList()) {
-        return std::string("list of ") + itemName(field);
+        return std::string("list of ") + structName(field);
+    }
+    if (field.isGroup()) {
+        return structName(field);
     }
     if (field.is<double>()) {
         return "float";
@@ -117,7 +122,7 @@ json fieldJson(const FieldInfo& field, const json& defaults)
     json described = {{"key", meta.key},
                       {"type", typeOf(field)},
                       {"doc", meta.doc},
-                      {"default", defaults.at(meta.key)}};
+                      {"default", defaults.value(meta.key, json::object())}};
     const std::string refers = referredBy(meta.role);
     if (!refers.empty()) {
         described["refers"] = refers;
@@ -254,6 +259,7 @@ json entriesJson()
     const Cue cue;
     const Light light;
     const LookPreset look;
+    const Lighting lighting;
     const Mark mark;
     const Rule rule;
     const json first = {{"kind", rule.trigger.kind().text.key}};
@@ -277,6 +283,8 @@ json entriesJson()
         entryJson("Cue", "cues", "A button that sends an event.", fieldsJson(cueFields(), &cue)),
         entryJson("Light", "lights", "A light that stands in the scene, beside sun and sky.",
                   fieldsJson(fieldsOf<Light>(), &light)),
+        entryJson("LookLight", "", "Sun and sky of a look, where they are its own.",
+                  fieldsJson(fieldsOf<Lighting>(), &lighting)),
         entryJson("Look", "looks", "A way of drawing that belongs to the scene.",
                   fieldsJson(fieldsOf<LookPreset>(), &look)),
         entryJson("Mark", "timeline", "A moment of the timeline, and what happens then.",

@@ -103,6 +103,9 @@ private:
     void addItems(std::span<const FieldInfo> fields, void* object)
     {
         for (const FieldInfo& field : fields) {
+            if (field.isGroup() && field.unknownOf) {
+                add(*field.unknownOf(field.childOf(object)));
+            }
             for (std::size_t i = 0; field.isList() && i < field.count(object); ++i) {
                 void* item = field.itemOf(object, i);
                 add(*field.unknownOf(item));

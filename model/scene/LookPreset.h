@@ -9,6 +9,7 @@
 
 #include "model/base/Values.h"
 #include "model/describe/Field.h"
+#include "model/scene/Lighting.h"
 
 /// Looks that belong to a scene: a way of drawing with a light and a background of its own, under a
 /// name. Plain values, part of the scene. Colours sRGB.
@@ -30,7 +31,7 @@ enum class LookStyle : std::uint8_t {
 };
 
 /// Whose sun and sky there are.
-enum class LookLight : std::uint8_t { Scene, Noon, Afternoon, Dusk, Overcast, Night, Studio };
+enum class LookLight : std::uint8_t { Scene, Noon, Afternoon, Dusk, Overcast, Night, Studio, Own };
 
 inline constexpr std::size_t kMostLooks = 1000;
 
@@ -41,6 +42,7 @@ struct LookPreset
     LookStyle style = LookStyle::Lit;
     std::string property = "template"; ///< what people are coloured by, of Property
     LookLight light = LookLight::Scene;
+    Lighting ownLight;      ///< of Own
     bool hasLamps = true;   ///< the lights that stand in the scene shine
     bool hasShadows = true; ///< of any kind
     bool hasBackground = false;
@@ -59,6 +61,8 @@ using Looks = std::vector<LookPreset>;
 
 [[nodiscard]] const LookPreset* findLook(const Looks& looks, LookId id); ///< null: there is none
 [[nodiscard]] const LookPreset* findLook(const Looks& looks, const std::string& name);
+/// Sun and sky in that look of a scene that is lit so.
+[[nodiscard]] Lighting lightIn(const LookPreset& look, const Lighting& scenes);
 
 inline constexpr std::array kLookStyles{
     FieldChoice{"plain", QT_TRANSLATE_NOOP("Fields", "Plain colours")},
@@ -76,7 +80,9 @@ inline constexpr std::array kLookLights{
     FieldChoice{"dusk", QT_TRANSLATE_NOOP("Fields", "Dusk")},
     FieldChoice{"overcast", QT_TRANSLATE_NOOP("Fields", "Overcast")},
     FieldChoice{"night", QT_TRANSLATE_NOOP("Fields", "Night")},
-    FieldChoice{"studio", QT_TRANSLATE_NOOP("Fields", "Studio")}};
+    FieldChoice{"studio", QT_TRANSLATE_NOOP("Fields", "Studio")},
+    FieldChoice{"own", QT_TRANSLATE_NOOP("Fields", "Its own"),
+                QT_TRANSLATE_NOOP("Fields", "Begins as what is seen, and can be set below")}};
 
 constexpr auto LookPreset::fields()
 {
@@ -99,9 +105,9 @@ constexpr auto LookPreset::fields()
             .when([](const S& s, const C&) { return s.style == LookStyle::Property; }),
         field(&S::light, {.key = "light",
                           .label = QT_TRANSLATE_NOOP("Fields", "Light"),
-                          .tip = QT_TRANSLATE_NOOP("Fields", "Sun and sky: those of the scene, or "
-                                                             "ready-made ones"),
-                          .doc = "sun and sky: those of the scene, or ready-made ones",
+                          .tip = QT_TRANSLATE_NOOP("Fields", "Sun and sky: those of the scene, "
+                                                             "ready-made ones, or its own"),
+                          .doc = "sun and sky: those of the scene, ready-made ones, or its own",
                           .choices = kLookLights}),
         field(&S::hasLamps,
               {.key = "lamps",
@@ -144,7 +150,9 @@ constexpr auto LookPreset::fields()
         field(&S::outline, {.key = "outline",
                             .label = QT_TRANSLATE_NOOP("Fields", "Colour"),
                             .doc = "of outlines"})
-            .when([](const S& s, const C&) { return s.hasOutline; }));
+            .when([](const S& s, const C&) { return s.hasOutline; }),
+        field(&S::ownLight, {.key = "ownLight", .doc = "of \"own\": sun and sky", .isBrief = true})
+            .when([](const S& s, const C&) { return s.light == LookLight::Own; }));
 }
 
 } // namespace crowd::model

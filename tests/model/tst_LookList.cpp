@@ -24,6 +24,9 @@ Looks twoLooks()
     evening.light = LookLight::Dusk;
     evening.hasBackground = true;
     evening.background = {1, 2, 3};
+    evening.light = LookLight::Own;
+    evening.ownLight.sunStrength = 0.25F;
+    evening.ownLight.skyZenith = {0.1F, 0.0F, 0.2F};
     LookPreset plan;
     plan.id = 2;
     plan.name = "Plan";
@@ -54,6 +57,7 @@ class TestLookList : public QObject
 
 private Q_SLOTS:
     void filesKeepThemInTheirOrder();
+    void filesLeaveOutALightThatIsNotItsOwn();
     void filesFromBeforeHaveNone();
     void camerasNameOne();
     void whatIsNotKnownIsKept();
@@ -78,6 +82,14 @@ void TestLookList::filesKeepThemInTheirOrder()
     QCOMPARE(projectText(read.value()), text);
     document.undoStack().undo();
     QCOMPARE(projectText(document.scene()), before);
+}
+
+void TestLookList::filesLeaveOutALightThatIsNotItsOwn()
+{
+    Scene scene;
+    scene.looks = twoLooks();
+    scene.looks.erase(scene.looks.begin());
+    QVERIFY(projectText(scene).find("ownLight") == std::string::npos);
 }
 
 void TestLookList::filesFromBeforeHaveNone()
@@ -106,11 +118,13 @@ void TestLookList::whatIsNotKnownIsKept()
     Scene scene;
     scene.looks = twoLooks();
     scene.looks[1].unknownMembers = R"({"grain":0.5})";
+    scene.looks[0].ownLight.unknownMembers = R"({"moons":2})";
     const std::string text = projectText(scene);
     const auto read = projectFromText(text);
     QVERIFY(read.isOk());
     QCOMPARE(projectText(read.value()), text);
     QVERIFY(text.find("grain") != std::string::npos);
+    QVERIFY(text.find("moons") != std::string::npos);
 }
 
 void TestLookList::refusesWhatIsWrong_data()
@@ -122,6 +136,11 @@ void TestLookList::refusesWhatIsWrong_data()
     };
     row("of a newer version", R"({"id": 1, "name": "A", "style": "oil"})",
         "looks[0].style must be one of");
+    row("an own light beyond all",
+        R"({"id": 1, "name": "A", "light": "own", "ownLight": {"sunStrength": 1e30}})",
+        "looks[0].ownLight.sunStrength must lie between");
+    row("an own light that is none", R"({"id": 1, "name": "A", "ownLight": 7})",
+        "looks[0].ownLight must be an object");
     row("no such light", R"({"id": 1, "name": "A", "light": "moon"})",
         "looks[0].light must be one of");
     row("no colour", R"({"id": 1, "name": "A", "background": [1, 2]})", "looks[0].background");

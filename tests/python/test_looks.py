@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 
 import crowdbrush
-from crowdbrush import Look
+from crowdbrush import Look, LookLight
 
 
 class Looks(unittest.TestCase):
@@ -38,6 +38,21 @@ class Looks(unittest.TestCase):
                                   self.picture(camera="Audience", look="cartoon")))
         with self.assertRaisesRegex(crowdbrush.Error, 'no look "Early".*lit.*Late, Ink'):
             self.picture(look="Early")
+
+    def test_have_a_light_of_their_own(self):
+        lit = self.picture(camera="Audience")
+        light = self.scene.lighting
+        self.scene.looks = [Look(id=1, name="Same", light="own", own_light=light)]
+        self.assertTrue(self.same(self.picture(camera="Audience", look="Same"), lit))
+        light.sun_strength = 0.0
+        dark = Look(id=1, name="Dark", light="own", own_light=light)
+        self.assertEqual(dark.own_light.sun_strength, 0.0)
+        self.scene.looks = [dark, Look(id=2, name="Red", light="own", own_light=LookLight(sun_color=(1, 0, 0)))]
+        self.assertLess(self.picture(camera="Audience", look="Dark").sum(), lit.sum())
+        self.assertEqual(tuple(self.scene.looks["Red"].own_light.sun_color), (1, 0, 0))
+        self.assertEqual(self.scene.looks["Dark"], dark)
+        with self.assertRaisesRegex(crowdbrush.Error, "LookLight.sun_strength must lie between"):
+            self.scene.looks = [Look(id=1, name="A", own_light={"sunStrength": -1})]
 
     def test_cameras_have_them(self):
         self.scene.looks = [Look(id=1, name="Ink", style="cartoon")]

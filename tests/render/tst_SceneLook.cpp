@@ -27,6 +27,7 @@ private Q_SLOTS:
     void outlinesAreDrawnInTheirColour();
     void aStyleCanBeWithoutItsOutlines();
     void lightIsThatOfTheLook();
+    void lightCanBeItsOwn();
     void whatIsOffIsNotDrawn();
 
 private:
@@ -156,6 +157,23 @@ void TestSceneLook::lightIsThatOfTheLook()
         look.light = static_cast<model::LookLight>(i);
         draw(oneMan(look)); // each is one that there is
     }
+}
+
+void TestSceneLook::lightCanBeItsOwn()
+{
+    draw(oneMan());
+    const std::vector<std::uint8_t> scenes = m_pixels;
+    LookPreset look;
+    look.light = model::LookLight::Own;
+    look.ownLight = oneMan().lighting;
+    draw(oneMan(look));
+    QVERIFY(m_pixels == scenes);
+    look.ownLight.sunColor = {1.0F, 0.2F, 0.2F};
+    draw(oneMan(look));
+    QVERIFY(m_pixels != scenes);
+    look.light = model::LookLight::Scene;
+    draw(oneMan(look));
+    QVERIFY(m_pixels == scenes);
 }
 
 void TestSceneLook::whatIsOffIsNotDrawn()

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QToolButton>
@@ -11,6 +14,7 @@
 #include "widgets/commands/ViewCommands.h"
 #include "widgets/docks/LooksDock.h"
 #include "widgets/forms/FieldForm.h"
+#include "widgets/forms/ValueSlider.h"
 #include "widgets/state/ShownLook.h"
 
 using namespace crowd;
@@ -50,6 +54,7 @@ private Q_SLOTS:
     void theViewAsItIsBecomesALook();
     void aClickSwitches();
     void changesAreSeenAndUndone();
+    void itsOwnLightBeginsAsItIsSeen();
     void namesAreOfOneEach();
     void whatIsRemovedIsNoLongerShown();
     void filesAreShared();
@@ -116,6 +121,36 @@ void TestLooksDock::changesAreSeenAndUndone()
     QVERIFY(desk.state.viewOptions().look == render::Look::Clay);
     desk.document.undoStack().undo();
     QVERIFY(desk.state.viewOptions().look == render::Look::Lit);
+}
+
+void TestLooksDock::itsOwnLightBeginsAsItIsSeen()
+{
+    LooksDesk desk;
+    desk.add("Evening");
+    const model::Lighting dusk = lightIn(desk.looks()[0], desk.document.scene().lighting);
+    auto* form = desk.dock->findChild<FieldForm*>(QStringLiteral("lookForm"));
+    const auto choose = [&](model::LookLight light) {
+        for (QComboBox* box : form->findChildren<QComboBox*>()) {
+            if (box->count() == static_cast<int>(model::kLookLights.size())) {
+                box->setCurrentIndex(static_cast<int>(light));
+                Q_EMIT box->activated(static_cast<int>(light));
+            }
+        }
+    };
+    const auto sliders = [form] {
+        const auto all = form->findChildren<ValueSlider*>();
+        return std::ranges::count_if(
+            all, [form](const ValueSlider* each) { return each->isVisibleTo(form); });
+    };
+    const auto before = sliders();
+    choose(model::LookLight::Own);
+    QVERIFY(desk.looks()[0].light == model::LookLight::Own);
+    QVERIFY(desk.looks()[0].ownLight == dusk);
+    QVERIFY(sliders() > before + 5);
+    choose(model::LookLight::Noon);
+    QCOMPARE(sliders(), before);
+    choose(model::LookLight::Own);
+    QVERIFY(desk.looks()[0].ownLight == dusk); // as it was left
 }
 
 void TestLooksDock::namesAreOfOneEach()

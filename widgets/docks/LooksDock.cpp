@@ -279,8 +279,14 @@ const LookPreset& LooksDock::shown() const
 
 void LooksDock::change(const std::function<void(void*)>& apply)
 {
+    const model::Lighting seen = lightIn(shown(), m_state.scene().lighting);
     model::Looks looks =
-        withLook(m_state.scene().looks, shown().id, [&apply](LookPreset& look) { apply(&look); });
+        withLook(m_state.scene().looks, shown().id, [&apply, &seen](LookPreset& look) {
+            apply(&look);
+            if (look.light == model::LookLight::Own && look.ownLight == model::Lighting()) {
+                look.ownLight = seen; // what is to be changed from here on
+            }
+        });
     if (!m_edit.put(tr("Change a look"),
                     [&looks](model::SceneEdit& edit) { edit.setLooks(std::move(looks)); })) {
         m_form->refresh();
