@@ -162,7 +162,7 @@ class Crowd:
             self.add(name, (x, ground(x, z), z), angle + math.pi + self.rng.gauss(0, .12),
                      self.rng.choice(clips))
 
-    def write(self, file_name, title, stage, cameras, light):
+    def write(self, file_name, title, stage, cameras, light, lamps=()):
         stage_entry = {"id": STAGE_ID, "name": stage, "path": f"builtin:stages/{stage}.glb",
                        "position": [0.0, 0.0, 0.0], "heading": 0.0, "scale": 1.0}
         compact = lambda value: json.dumps(value, separators=(",", ":"), sort_keys=True)
@@ -174,6 +174,7 @@ class Crowd:
                        f'"name": {compact(title)},\n"seed": 1,\n"nextId": {len(self.rows) + 1},\n'
                        f'"templates": {lines(templates)},\n"stages": {lines([stage_entry])},\n'
                        f'"cameras": {lines(cameras)},\n"lighting": {compact(light)},\n'
+                       f'"lights": {lines(numbered(lamps))},\n'
                        '"individuals": {\n'
                        f'"columns": {compact(COLUMNS)},\n"rows": {lines(self.rows)}}}\n}}\n')
         print(f"{os.path.normpath(path)}: {len(self.rows)} individuals")
@@ -186,6 +187,26 @@ def template_entry(identifier, name):
 def stage_seats(stage):
     document, _ = read_glb(os.path.join(RESOURCES, "stages", stage + ".glb"))
     return document["scenes"][document["scene"]]["extras"]["seats"]
+
+
+def spot(name, lamp, target, degrees, strength, colour=(255, 222, 176), **more):
+    """It goes on after dark; so do those to all sides."""
+    return {"name": name, "kind": "spot", "position": list(lamp), "target": list(target),
+            "cone": rounded(math.radians(degrees)), "softness": .5, "beam": .1,
+            "strength": strength, "color": hexed(colour), "afterDark": True, **more}
+
+
+def lantern(name, lamp, strength, colour=(255, 206, 140), **more):
+    return {"name": name, "kind": "point", "position": list(lamp), "strength": strength,
+            "color": hexed(colour), "afterDark": True, **more}
+
+
+def hexed(colour):
+    return "#" + "".join(f"{c:02x}" for c in colour)
+
+
+def numbered(lamps):
+    return [{"id": index, **lamp} for index, lamp in enumerate(lamps, 1)]
 
 
 def camera(name, position, target, field_degrees):

@@ -5,7 +5,7 @@ import math
 import random
 
 from build_stages import BLOCKS, LEVEL, PER_BLOCK, RANKS, ground
-from crowd_scene import STAGE_ID, Crowd, camera, stage_seats
+from crowd_scene import STAGE_ID, Crowd, camera, lantern, spot, stage_seats
 
 TODAY = ("man", "woman", "man_2", "woman_2", "girl", "boy", "old_woman", "old_man")
 ADULTS = ("man", "woman", "man_2", "woman_2", "man", "woman", "old_woman", "old_man")
@@ -45,7 +45,18 @@ def city():
         camera("Fountain", (-7.4, 3.0, 10.6), (1.5, 1.3, -1.5), 42),
         camera("From the bridge", (37.5, 6.2, 2.8), (0, 1.0, -3.0), 46),
         camera("Above", (34, 36, 40), (0, 0, 0), 42),
-        camera("Eye to eye", (3.5, 1.75, 12.5), (-4.5, 1.2, 2.0), 46)], DAY)
+        camera("Eye to eye", (3.5, 1.75, 12.5), (-4.5, 1.2, 2.0), 46)], DAY, _street_lamps())
+
+
+def _street_lamps():
+    """Where build_stages.py puts posts; and one that lights the fountain from below."""
+    posts = [(x, z) for x in (-19, 19) for z in (-19, 0, 19)]
+    lamps = [lantern(f"Street lamp {i}", (x, 4.4, z), .3, size=2.0)
+             for i, (x, z) in enumerate(posts, 1)]
+    for i, (x, z) in enumerate(((-2.8, 1.9), (2.8, 1.9), (0.0, -3.3)), 1):
+        lamps.append(spot(f"Fountain {i}", (x, .7, z), (0, 2.4, 0), 60, .05, (168, 206, 255),
+                          size=2.0, beam=0.0))
+    return lamps
 
 
 def _free(rng, taken, half, radius):
@@ -117,7 +128,14 @@ def stadium():
         camera("From the side", (-33, 9, -4), (4, 6.0, -24), 48),
         camera("From the top row", (-16, 16.3, -36.2), (8, 1.5, 2), 56),
         camera("Pitch", (27, 14, 34), (1, 6.0, -22), 44)],
-        dict(DAY, sunAzimuth=.35, ground=[.70, .71, .66]))
+        dict(DAY, sunAzimuth=.35, ground=[.70, .71, .66]), _floodlights())
+
+
+def _floodlights():
+    """Four on masts behind who looks from the pitch."""
+    return [spot(f"Floodlight {i}", (x, 24.0, 14.0), (x * .55, 6.5, -24.0), 48, 9.0,
+                 (236, 242, 255), shadows=True, beam=.04)
+            for i, x in enumerate((-34, -12, 12, 34), 1)]
 
 
 def place(x, z):
@@ -155,7 +173,10 @@ def meadow():
         camera("Beetles", (.5, here(.5, 11.9) + .42, 11.9), (0, here(0, 10.6), 10.6), 38),
         camera("Machines", (8.6, LEVEL + 3.2, -.6), (17.6, LEVEL + 1.1, -7.0), 48),
         camera("Above", (26, LEVEL + 26, 32), (0, LEVEL, -4), 42)],
-        dict(DAY, ground=[.46, .56, .34], skyHorizon=[.88, .92, .92]))
+        dict(DAY, ground=[.46, .56, .34], skyHorizon=[.88, .92, .92]),
+        [lantern("Picnic", (2.6, LEVEL + 3.2, -3.0), .09, size=1.5, shadows=True),
+         spot("Landing pad", (23.5, LEVEL + 5.0, -9.0), (17.6, LEVEL + .5, -8.0), 70, .3,
+              (226, 236, 255))])
 
 
 if __name__ == "__main__":

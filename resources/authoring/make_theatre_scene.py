@@ -4,7 +4,7 @@
 import math
 import random
 
-from crowd_scene import ANTIQUE, STAGE_ID, Crowd, camera, stage_seats
+from crowd_scene import ANTIQUE, STAGE_ID, Crowd, camera, lantern, spot, stage_seats
 
 EMPTY_WEDGES = (4, 5)
 OCCUPANCY = .955
@@ -19,6 +19,14 @@ CAMERAS = [
     camera("Whole theatre", (34, 24, 14), (0, .5, -3), 40),
     camera("Back row", (3.5, 7.6, -20.2), (-.5, 3.2, 10), 50),
     camera("Close", (-6.0, 2.3, -4.2), (-10.2, 1.6, -9.2), 42),
+]
+LAMPS = [
+    spot("Stage left", (-8.0, 14.0, -9.0), (-1.5, .8, 3.0), 34, 2.0, (255, 214, 160),
+         shadows=True),
+    spot("Stage right", (8.0, 14.0, -9.0), (1.5, .8, 3.0), 34, 2.0, (255, 178, 120), shadows=True),
+    lantern("Left stand", (-10.5, 6.5, -7.0), .14, size=2.0),
+    lantern("Middle", (0.0, 7.0, -14.0), .14, size=2.0),
+    lantern("Right stand", (10.5, 6.5, -7.0), .14, size=2.0),
 ]
 # Who sits where: those of rank in the first rows, the others behind them.
 FRONT = (("patrician", 46), ("matron", 28), ("priest", 18), ("citizen", 8))
@@ -65,7 +73,7 @@ def main():
         crowd.add(choose_person(seat["rank"], rng), seat["position"],
                   seat["headingRadians"] + rng.gauss(0, .07),
                   choose_clip(mood.at(seat["position"]), rng), STAGE_ID << 24 | index, ANTIQUE)
-    crowd.write("theatre.crowd", "Theatre", "theatre", CAMERAS, LIGHT)
+    crowd.write("theatre.crowd", "Theatre", "theatre", CAMERAS, LIGHT, LAMPS)
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ from crowdbrush import Light
 class Lights(unittest.TestCase):
     def setUp(self):
         self.scene = crowdbrush.open("builtin:scenes/theatre.crowd")
+        self.scene.lights = []
         self.scene.set_lighting(crowdbrush.Lighting.ready("night"))
 
     def spot(self, **given):
@@ -40,6 +41,23 @@ class Lights(unittest.TestCase):
             self.scene.save(path)
             again = crowdbrush.open(path)
             self.assertEqual(again.lights, self.scene.lights)
+
+    def test_ready_made_ones_go_on_after_dark(self):
+        for name in ("theatre", "city", "stadium", "meadow"):
+            scene = crowdbrush.open(f"builtin:scenes/{name}.crowd")
+            camera = next(iter(scene.cameras))
+            picture = lambda: np.asarray(scene.render(160, 90, camera=camera, look="lit")).astype(int)
+            lamps = scene.lights
+            self.assertTrue(lamps and all(each.after_dark for each in lamps), name)
+            shown = []
+            for hours in (12, 23):
+                scene.set_lighting(crowdbrush.Lighting.of_day(hours))
+                scene.lights = lamps
+                with_them = picture()
+                scene.lights = []
+                shown.append(int((with_them - picture()).sum()))
+            self.assertEqual(shown[0], 0, name)  # by day
+            self.assertGreater(shown[1], 20_000, name)
 
     def test_refuses_what_cannot_be(self):
         for wrong in ({"cone": 0.0}, {"cone": 3.2}, {"strength": -1}, {"strength": float("nan")}, {"strength": 1e30},
