@@ -73,7 +73,9 @@ MainWindow::MainWindow()
     m_layout.addAll({m_state, m_interpreter, m_recorder, this});
     addWindowActions(*this);
     new widgets::CueKeys(m_state, this);
-    new FieldKeys(*this, *m_viewport);
+    auto* keys = new FieldKeys(*this, *m_viewport);
+    connect(keys, &FieldKeys::typedAtNothing, this,
+            [this] { m_state.showStatus(tr("This field cannot be changed now.")); });
     new ModalKeys(*this);
     m_viewport->tools().leaveShortcutsToWindow();
     // In the panels Tab goes from field to field.

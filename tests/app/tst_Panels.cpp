@@ -184,6 +184,8 @@ private Q_SLOTS:
     void endedTypingGivesTheKeysBack_data();
     void endedTypingGivesTheKeysBack();
     void typingIntoAListGivesTheKeysBack();
+    void aFieldThatVanishesGivesTheKeysBack();
+    void whatIsTypedAtAFieldThatIsOffGoesNowhere();
     void whoRenamesGoesOnInTheList();
     void returnIsTheFieldsEvenWhileAPathIsPainted();
     void nothingTellsHowToBringBackWhatIsBack();
@@ -324,6 +326,52 @@ void PanelsTest::typingIntoAListGivesTheKeysBack()
     QTRY_COMPARE(document().undoStack().index(), steps);
     QVERIFY2(m_window->statusBar()->currentMessage().contains(QStringLiteral("Undone")),
              qPrintable(m_window->statusBar()->currentMessage()));
+}
+
+void PanelsTest::aFieldThatVanishesGivesTheKeysBack()
+{
+    QDockWidget* panel = m_window->dockLayout().dock(app::DockId::Presets);
+    panel->show();
+    panel->raise();
+    auto* search = panel->findChild<QLineEdit*>();
+    QTRY_VERIFY(search->isVisible());
+    QTest::mouseClick(search, Qt::LeftButton);
+    QTRY_VERIFY(search->hasFocus());
+    QTest::keyClicks(search, QStringLiteral("red"));
+    const QList<QDockWidget*> beside = m_window->tabifiedDockWidgets(panel);
+    QVERIFY(!beside.isEmpty());
+    beside.front()->raise();
+    QTRY_VERIFY(search->visibleRegion().isEmpty());
+    QTRY_VERIFY(m_window->viewport().hasFocus());
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_B);
+    QCOMPARE(m_window->state().tool(), widgets::ToolId::BrushColour);
+}
+
+void PanelsTest::whatIsTypedAtAFieldThatIsOffGoesNowhere()
+{
+    openScene(plainScene(3), QStringLiteral("a.crowd"));
+    QLineEdit* field = eventField();
+    QVERIFY(field != nullptr);
+    const widgets::ToolId tool = m_window->state().tool();
+    field->setEnabled(false);
+    m_window->dockLayout()
+        .dock(app::DockId::BrushSettings)
+        ->findChild<QScrollArea*>()
+        ->ensureWidgetVisible(field);
+    const auto clickAt = [this](const QWidget& widget) {
+        const QPoint at = widget.mapTo(m_window.get(), widget.rect().center());
+        QTest::mouseClick(m_window->windowHandle(), Qt::LeftButton, {}, at);
+    };
+    clickAt(*field);
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_B);
+    QVERIFY(m_window->state().selection().isEmpty());
+    QCOMPARE(m_window->state().tool(), tool);
+    QVERIFY2(m_window->statusBar()->currentMessage().contains(QStringLiteral("cannot be changed")),
+             qPrintable(m_window->statusBar()->currentMessage()));
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_Escape); // he gives up
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_A, Qt::ControlModifier);
+    QTRY_COMPARE(m_window->state().selection().size(), std::size_t{3});
 }
 
 void PanelsTest::whoRenamesGoesOnInTheList()

@@ -98,9 +98,12 @@ void ActionRegistry::setTexts(const ActionSpec& spec, QAction& action)
 {
     action.setText(QCoreApplication::translate("Actions", spec.text));
     const QString tip = QCoreApplication::translate("Actions", spec.tip);
-    const QString keys = action.shortcut().toString(QKeySequence::NativeText);
-    action.setStatusTip(tip);
-    action.setToolTip(keys.isEmpty() ? tip : QStringLiteral("%1  (%2)").arg(tip, keys));
+    const QList<QKeySequence> keys = action.shortcuts();
+    const QString all = QKeySequence::listToString(keys, QKeySequence::NativeText)
+                            .replace(QLatin1Char(';'), QLatin1Char(','));
+    const QString withKeys = keys.isEmpty() ? tip : QStringLiteral("%1  (%2)").arg(tip, all);
+    action.setStatusTip(keys.size() > 1 ? withKeys : tip); // a menu shows the first
+    action.setToolTip(withKeys);
 }
 
 void ActionRegistry::loadShortcut(const ActionSpec& spec, QAction& action) const
