@@ -269,8 +269,87 @@ void addFlawsOfPair(const Rule& upper, const Rule& lower, std::vector<RuleFlaw>&
     }
 }
 
+bool isOfSomebody(const Trigger& trigger)
+{
+    return trigger.is<triggers::Event>() || trigger.is<triggers::TagNear>() ||
+           trigger.is<triggers::RelatedDid>();
+}
+
+bool hasPayload(const Trigger& trigger)
+{
+    const auto* related = trigger.as<triggers::RelatedDid>();
+    return trigger.is<triggers::Event>() ||
+           (related != nullptr && related->deed == RelatedDeed::Hears);
+}
+
+bool isAboutSender(const Action& action)
+{
+    return std::visit(
+        [](const auto& each) {
+            if constexpr (requires { each.kNeedsSender; }) {
+                return false; // it goes without
+            } else if constexpr (requires { each.aim == ActionAim::Sender; }) {
+                return each.aim == ActionAim::Sender;
+            } else {
+                return false;
+            }
+        },
+        action.data);
+}
+
+bool takesPayload(const Action& action)
+{
+    return std::visit(
+        [](const auto& each) {
+            if constexpr (requires { each.takesPayload(); }) {
+                return each.takesPayload();
+            } else {
+                return false;
+            }
+        },
+        action.data);
+}
+
+/// What is about an event or somebody that the rule does not come from.
+std::optional<RuleFlawKind> unfoundedPart(const Rule& rule)
+{
+    bool isKnown = isOfSomebody(rule.trigger);
+    bool isCounted = hasPayload(rule.trigger);
+    const auto asksFor = [](const Condition& each) { return each.is<conditions::Payload>(); };
+    if (!isCounted && std::ranges::any_of(rule.conditions, asksFor)) {
+        return RuleFlawKind::NoPayload;
+    }
+    for (const Action& action : rule.actions) {
+        if (action.is<actions::WaitForEvent>()) { // from here on there is one
+            isKnown = true;
+            isCounted = true;
+        } else if (!isKnown && isAboutSender(action)) {
+            return RuleFlawKind::NoSender;
+        } else if (!isCounted && takesPayload(action)) {
+            return RuleFlawKind::NoPayload;
+        }
+    }
+    return std::nullopt;
+}
+
+bool hasLinesAfterAgain(const Actions& actions)
+{
+    for (std::size_t i = 0; i + 1 < actions.size(); ++i) {
+        if (actions[i].is<actions::Again>() && actions[i + 1].depth == actions[i].depth) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void addOwnFlaws(const Scene& scene, const Rule& rule, bool hasSeats, std::vector<RuleFlaw>& flaws)
 {
+    if (const std::optional<RuleFlawKind> unfounded = unfoundedPart(rule)) {
+        flaws.push_back({rule.id, *unfounded});
+    }
+    if (hasLinesAfterAgain(rule.actions)) {
+        flaws.push_back({rule.id, RuleFlawKind::AfterAgain});
+    }
     if (isNeverTrue(rule)) {
         flaws.push_back({rule.id, RuleFlawKind::NeverTrue});
     }
@@ -397,6 +476,17 @@ std::string englishOf(const RuleFlaw& flaw, const Scene& scene)
         return text +
                " lets characters leave at an exit, but there is none: they stay. Paint one with "
                "the environment brush.";
+    case RuleFlawKind::NoSender:
+        return text +
+               " is about whoever it came from, but it comes from nobody. Let it begin with an "
+               "event or with somebody near, or choose whom it is about.";
+    case RuleFlawKind::NoPayload:
+        return text +
+               " asks for the number of an event, but it comes without one. Let it begin with an "
+               "event, or give the number.";
+    case RuleFlawKind::AfterAgain:
+        return text + " begins anew at \"do it again\": what stands below that is never done. Move "
+                      "it up, or remove it.";
     }
     return text;
 }

@@ -33,7 +33,10 @@ enum class RuleFlawKind : std::uint8_t {
     BrokenOff,  ///< `other` always breaks it off at once
     Undone,     ///< `other` does the opposite at the same occasion
     NoSeats,    ///< it lets people sit where there are no seats
-    NoExit      ///< it lets people leave at an exit where there is none
+    NoExit,     ///< it lets people leave at an exit where there is none
+    NoSender,   ///< it is about whoever it came from, and comes from nobody
+    NoPayload,  ///< it asks for the number of an event where there is none
+    AfterAgain  ///< lines after the one that begins anew
 };
 
 struct RuleFlaw

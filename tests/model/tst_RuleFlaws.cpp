@@ -54,6 +54,9 @@ private Q_SLOTS:
     void whatIsBrokenOffAtOnceIsSaid();
     void whatIsUndoneIsSaid();
     void seatsAndExitsThatAreMissingAreSaid();
+    void whoeverItCameFromIsSomebody();
+    void theNumberOfAnEventComesWithOne();
+    void whatIsNeverReachedIsSaid();
     void rulesThatAreOffAreNotSaid();
 };
 
@@ -228,6 +231,55 @@ void TestRuleFlaws::whatIsUndoneIsSaid()
              (std::vector<RuleFlaw>{{2, RuleFlawKind::Undone, {}, 1}}));
     remove.actions = {actions::RemoveTag{3}};
     QVERIFY(flawsOf(sceneOf({add, remove})).empty());
+}
+
+void TestRuleFlaws::whoeverItCameFromIsSomebody()
+{
+    actions::Follow after; // whoever it came from
+    Rule rule = ruleOf(1, "go", {after});
+    QVERIFY(flawsOf(sceneOf({rule})).empty());
+    rule.trigger = triggers::TagNear();
+    QVERIFY(flawsOf(sceneOf({rule})).empty());
+    rule.trigger = triggers::Start();
+    QCOMPARE(flawsOf(sceneOf({rule})), (std::vector<RuleFlaw>{{1, RuleFlawKind::NoSender}}));
+    rule.actions = {actions::WaitForEvent{"go", 0.0F}, after};
+    QVERIFY(flawsOf(sceneOf({rule})).empty());
+    rule.actions = {after, actions::WaitForEvent{"go", 0.0F}};
+    QCOMPARE(flawsOf(sceneOf({rule})), (std::vector<RuleFlaw>{{1, RuleFlawKind::NoSender}}));
+    rule.actions = {actions::Flee()}; // anywhere then, as animals wander
+    QVERIFY(flawsOf(sceneOf({rule})).empty());
+    after.aim = ActionAim::Tagged;
+    rule.actions = {after};
+    QVERIFY(flawsOf(sceneOf({rule})).empty());
+}
+
+void TestRuleFlaws::theNumberOfAnEventComesWithOne()
+{
+    Rule rule = ruleOf(1, "go", {actions::SetSpeed()}); // the event's
+    QVERIFY(flawsOf(sceneOf({rule})).empty());
+    rule.trigger = triggers::Every();
+    QCOMPARE(flawsOf(sceneOf({rule})), (std::vector<RuleFlaw>{{1, RuleFlawKind::NoPayload}}));
+    rule.actions = {actions::SetSpeed{1.5F}};
+    QVERIFY(flawsOf(sceneOf({rule})).empty());
+    rule.conditions = {compared<conditions::Payload>(Comparison::More, 1.0F)};
+    QCOMPARE(flawsOf(sceneOf({rule})), (std::vector<RuleFlaw>{{1, RuleFlawKind::NoPayload}}));
+}
+
+void TestRuleFlaws::whatIsNeverReachedIsSaid()
+{
+    Rule rule = ruleOf(1, "go", {actions::Stop(), actions::Again()});
+    QVERIFY(flawsOf(sceneOf({rule})).empty());
+    rule.actions.emplace_back(actions::AddTag());
+    QCOMPARE(flawsOf(sceneOf({rule})), (std::vector<RuleFlaw>{{1, RuleFlawKind::AfterAgain}}));
+    // One of several that begins anew keeps the others from nothing.
+    Action first = actions::OneOf();
+    Action again = actions::Again();
+    again.depth = 1;
+    Action second = actions::OneOf();
+    Action stop = actions::Stop();
+    stop.depth = 1;
+    rule.actions = {first, again, second, stop, actions::AddTag()};
+    QVERIFY(flawsOf(sceneOf({rule})).empty());
 }
 
 void TestRuleFlaws::seatsAndExitsThatAreMissingAreSaid()

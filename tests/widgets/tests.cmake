@@ -1,6 +1,7 @@
 crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_ActionRegistry
     tst_BehaviourDocks
+    tst_RuleEditing
     tst_BrushStart
     tst_CameraDirector
     tst_BrushTool

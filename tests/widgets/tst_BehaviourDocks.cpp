@@ -199,8 +199,7 @@ void TestBehaviourDocks::aRuleSaysWhatIsWrong()
     QTRY_VERIFY(problem->isVisible());
     QVERIFY2(problem->text().contains(QStringLiteral("type the event")),
              qPrintable(problem->text())); // nothing happens while it is being made
-    auto* more = desk.dock->findChild<QToolButton*>(QStringLiteral("addAction"));
-    QTest::mouseClick(more, Qt::LeftButton);
+    addBy(desk, "addAction", QStringLiteral("stop"));
     QCOMPARE(desk.document.scene().rules[0].actions.size(), std::size_t{2});
     desk.document.undoStack().undo();
     QCOMPARE(desk.document.scene().rules[0].actions.size(), std::size_t{1});

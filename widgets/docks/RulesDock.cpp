@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include <QtCore/QLocale>
-#include <QtCore/QSignalBlocker>
+#include <QtCore/QScopeGuard>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QLabel>
@@ -261,19 +261,29 @@ void RulesDock::showMenu(const QPoint& position)
     menu.exec(m_list->viewport()->mapToGlobal(position));
 }
 
+/// Rows that are there already stay, so that nothing jumps under the hands of who edits one.
 void RulesDock::rebuildList()
 {
     m_isFilling = true;
-    m_list->clear();
     const model::Scene& scene = m_state.scene();
-    for (const Rule& rule : scene.rules) {
-        auto* item = new QListWidgetItem(ruleSentence(scene, rule), m_list);
+    const int count = static_cast<int>(scene.rules.size());
+    while (m_list->count() > count) {
+        delete m_list->takeItem(m_list->count() - 1);
+    }
+    for (int row = 0; row < count; ++row) {
+        const Rule& rule = scene.rules[static_cast<std::size_t>(row)];
+        QListWidgetItem* item =
+            row < m_list->count() ? m_list->item(row) : new QListWidgetItem(m_list);
+        item->setText(ruleSentence(scene, rule));
         item->setData(kIdRole, rule.id);
         item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
         item->setCheckState(rule.isEnabled ? Qt::Checked : Qt::Unchecked);
-        if (rule.id == m_commands->currentId()) {
+        if (rule.id == m_commands->currentId() && m_list->currentRow() != row) {
             m_list->setCurrentItem(item);
         }
+    }
+    if (m_commands->current() == nullptr) {
+        m_list->setCurrentItem(nullptr);
     }
     m_fit.start();
     m_note->setVisible(scene.rules.empty());
@@ -387,6 +397,12 @@ qsizetype RulesDock::focusedField() const
 void RulesDock::rebuildEditor()
 {
     const qsizetype focused = focusedField();
+    // What is below the editor stays where it is while there is none for a moment.
+    m_editorArea->setMinimumHeight(m_editor != nullptr ? m_editorArea->height() : 0);
+    const auto letGo = qScopeGuard([this] {
+        QMetaObject::invokeMethod(
+            this, [this] { m_editorArea->setMinimumHeight(0); }, Qt::QueuedConnection);
+    });
     delete m_editor;
     m_editor = nullptr;
     const Rule* rule = m_commands->current();

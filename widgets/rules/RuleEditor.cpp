@@ -7,6 +7,7 @@
 
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QLabel>
+#include <QtWidgets/QMenu>
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QVBoxLayout>
 
@@ -132,11 +133,42 @@ PartRows RuleEditor::rowsFor(QVBoxLayout* layout, std::function<Part&(Rule&)> pa
 void RuleEditor::addMore(QVBoxLayout* layout)
 {
     QHBoxLayout* row = rowIn(layout);
-    addTextButton(row, "addCondition", tr("+ only if…"), tr("Adds a condition"),
-                  [](Rule& each) { each.conditions.emplace_back(); });
-    addTextButton(row, "addAction", tr("+ then…"), tr("Adds something to do"),
-                  [](Rule& each) { each.actions.emplace_back(model::actions::Wait()); });
+    addKindButton(row, "addCondition", tr("+ only if…"), tr("Adds a condition"),
+                  model::kindsOf<model::ConditionData>(), [](Rule& each, std::size_t kind) {
+                      each.conditions.emplace_back().change(kind);
+                  });
+    addKindButton(row, "addAction", tr("+ then…"), tr("Adds something to do"),
+                  model::kindsOf<model::ActionData>(), [](Rule& each, std::size_t kind) {
+                      each.actions.emplace_back(model::actions::Wait()).change(kind);
+                  });
     row->addStretch(1);
+}
+
+/// What is to be added is chosen first: nothing stands there that nobody wanted.
+void RuleEditor::addKindButton(QHBoxLayout* row, const char* name, const QString& text,
+                               const QString& tip, std::span<const model::RuleKind> kinds,
+                               void (*add)(Rule&, std::size_t kind))
+{
+    auto* button = new QToolButton(this);
+    button->setObjectName(QLatin1String(name));
+    button->setText(text + QStringLiteral("  ")); // beside its arrow
+    button->setToolTip(tip);
+    button->setAutoRaise(true);
+    button->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(button);
+    const QStringList names = kindNames(kinds);
+    for (const std::vector<int>& group : groupsOf(kinds)) {
+        if (!menu->isEmpty()) {
+            menu->addSeparator();
+        }
+        for (const int kind : group) {
+            menu->addAction(names[kind], this, [this, add, kind] {
+                m_apply([&](Rule& each) { add(each, static_cast<std::size_t>(kind)); });
+            });
+        }
+    }
+    button->setMenu(menu);
+    row->addWidget(button);
 }
 
 void RuleEditor::addTrigger(QVBoxLayout* layout)

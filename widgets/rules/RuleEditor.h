@@ -35,6 +35,9 @@ private:
                                              const QString& tip = {}) const;
     void addTextButton(QHBoxLayout* row, const char* name, const QString& text, const QString& tip,
                        const Change& change);
+    void addKindButton(QHBoxLayout* row, const char* name, const QString& text, const QString& tip,
+                       std::span<const model::RuleKind> kinds,
+                       void (*add)(model::Rule&, std::size_t kind));
     void addTrigger(QVBoxLayout* layout);
     void addCondition(QVBoxLayout* layout, std::size_t index);
     void addNegation(QHBoxLayout* row, std::size_t index);

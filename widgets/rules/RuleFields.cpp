@@ -15,6 +15,7 @@
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QToolButton>
 
+#include "model/population/Columns.h"
 #include "widgets/forms/WrapRow.h"
 #include "widgets/rules/RuleTexts.h"
 #include "widgets/state/FeatureTexts.h"
@@ -182,15 +183,65 @@ void addReferenceField(QHBoxLayout* row, const model::Scene& scene, model::Field
     }
 }
 
+namespace {
+
+/// Those that somebody has, as bits.
+std::uint64_t tagsOfPeople(const model::Scene& scene)
+{
+    std::uint64_t all = 0;
+    for (const std::uint64_t each : scene.population.column(model::columns::tags)) {
+        all |= each;
+    }
+    return all;
+}
+
+/// Those that have a name, in its order, then those that somebody has, and that one.
+std::vector<std::uint8_t> tagsToChoose(const model::Scene& scene, std::uint8_t chosen)
+{
+    std::vector<std::uint8_t> tags;
+    for (const model::TagName& each : scene.tags) {
+        tags.push_back(static_cast<std::uint8_t>(each.bit));
+    }
+    const std::uint64_t borne = tagsOfPeople(scene) | std::uint64_t{1} << chosen;
+    for (std::uint8_t bit = 0; bit < model::kTagCount; ++bit) {
+        const bool isListed = std::ranges::find(tags, bit) != tags.end();
+        if (!isListed && (borne >> bit & 1U) != 0) {
+            tags.push_back(bit);
+        }
+    }
+    return tags;
+}
+
+/// kTagCount: none.
+std::uint8_t freeTag(const std::vector<std::uint8_t>& tags)
+{
+    std::uint8_t bit = 0;
+    while (bit < model::kTagCount && std::ranges::find(tags, bit) != tags.end()) {
+        ++bit;
+    }
+    return bit;
+}
+
+} // namespace
+
 void addTagField(QHBoxLayout* row, const model::Scene& scene, std::uint8_t tag,
                  const std::function<void(std::uint8_t)>& changed)
 {
+    const std::vector<std::uint8_t> tags = tagsToChoose(scene, tag);
     QStringList names;
-    for (int bit = 0; bit < model::kTagCount; ++bit) {
-        names << RuleFieldsText::tr("tag %1").arg(tagText(scene, static_cast<std::uint8_t>(bit)));
+    for (const std::uint8_t each : tags) {
+        names << RuleFieldsText::tr("tag %1").arg(tagText(scene, each));
     }
-    addChoiceField(row, names, tag,
-                   [changed](int index) { changed(static_cast<std::uint8_t>(index)); });
+    const std::uint8_t free = freeTag(tags);
+    if (free < model::kTagCount) {
+        names << RuleFieldsText::tr("a new tag, %1").arg(tagText(scene, free));
+    }
+    const auto chosen = std::ranges::find(tags, tag);
+    addChoiceField(row, names, static_cast<int>(chosen - tags.begin()),
+                   [changed, tags, free](int index) {
+                       const auto at = static_cast<std::size_t>(index);
+                       changed(at < tags.size() ? tags[at] : free);
+                   });
 }
 
 namespace {

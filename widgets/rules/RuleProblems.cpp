@@ -193,6 +193,17 @@ QString flawText(const Scene& scene, const RuleFlaw& flaw)
         return RuleProblemsText::tr(
             "There is no exit to leave at, so characters stay: paint one with "
             "the environment brush (I).");
+    case RuleFlawKind::NoSender:
+        return RuleProblemsText::tr(
+            "It is about whoever it came from, but it comes from nobody: let it begin with an "
+            "event or with someone near, or choose whom it is about.");
+    case RuleFlawKind::NoPayload:
+        return RuleProblemsText::tr(
+            "It asks for an event’s number, but comes without one: let it begin with an event, or "
+            "give the number.");
+    case RuleFlawKind::AfterAgain:
+        return RuleProblemsText::tr(
+            "What stands below “do it again” is never done: move it up, or remove it.");
     }
     return {};
 }

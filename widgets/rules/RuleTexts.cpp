@@ -97,6 +97,33 @@ QString clipsText(const std::vector<ClipWeight>& clips)
     return names.isEmpty() ? openText() : names.join(RuleTextsContext::tr(" or "));
 }
 
+/// As people call it.
+QString colourName(const QColor& color)
+{
+    constexpr float kDark = 0.15F;
+    constexpr float kPale = 0.15F;
+    const float value = color.valueF();
+    if (value < kDark) {
+        return RuleTextsContext::tr("black");
+    }
+    if (color.hsvSaturationF() < kPale) {
+        return value > 0.85F ? RuleTextsContext::tr("white") : RuleTextsContext::tr("grey");
+    }
+    const int hue = color.hsvHue();
+    if (hue >= 15 && hue < 45 && value < 0.65F) {
+        return RuleTextsContext::tr("brown");
+    }
+    return hue < 15    ? RuleTextsContext::tr("red")
+           : hue < 45  ? RuleTextsContext::tr("orange")
+           : hue < 70  ? RuleTextsContext::tr("yellow")
+           : hue < 165 ? RuleTextsContext::tr("green")
+           : hue < 195 ? RuleTextsContext::tr("turquoise")
+           : hue < 255 ? RuleTextsContext::tr("blue")
+           : hue < 290 ? RuleTextsContext::tr("purple")
+           : hue < 340 ? RuleTextsContext::tr("pink")
+                       : RuleTextsContext::tr("red");
+}
+
 QString valueText(const Scene& scene, const FieldMeta& meta, const FieldValue& value)
 {
     if (const auto* whole = std::get_if<std::int64_t>(&value)) {
@@ -109,7 +136,7 @@ QString valueText(const Scene& scene, const FieldMeta& meta, const FieldValue& v
         return clipsText(*clips);
     }
     if (const auto* color = std::get_if<PaintColor>(&value)) {
-        return QColor((*color)[0], (*color)[1], (*color)[2]).name();
+        return colourName(QColor((*color)[0], (*color)[1], (*color)[2]));
     }
     const auto* text = std::get_if<std::string>(&value);
     return text != nullptr ? QString::fromStdString(*text) : QString();
@@ -195,8 +222,9 @@ QString sequenceText(const Scene& scene, const Actions& actions, std::size_t beg
 QString tagText(const Scene& scene, std::uint8_t tag)
 {
     const auto named = std::ranges::find(scene.tags, tag, &TagName::bit);
-    return named != scene.tags.end() && !named->name.empty() ? QString::fromStdString(named->name)
-                                                             : QString::number(tag + 1);
+    return named != scene.tags.end() && !named->name.empty()
+               ? QString::fromStdString(named->name)
+               : RuleTextsContext::tr("no. %1").arg(tag + 1);
 }
 
 QString ruleSentence(const Scene& scene, const Rule& rule)
@@ -207,7 +235,7 @@ QString ruleSentence(const Scene& scene, const Rule& rule)
         conditions << partText(scene, condition, condition.isNot);
     }
     if (!conditions.isEmpty()) {
-        when = RuleTextsContext::tr("%1, %2").arg(
+        when = RuleTextsContext::tr("%1 (%2)").arg(
             when, conditions.join(rule.isAnyEnough ? RuleTextsContext::tr(" or ")
                                                    : RuleTextsContext::tr(" and ")));
     }

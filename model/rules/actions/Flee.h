@@ -14,6 +14,9 @@ struct Flee : AimChoice
 
     float metres = 2.0F;
 
+    /// Where it comes from nobody he runs anywhere.
+    static constexpr bool kNeedsSender = false;
+
     static constexpr auto fields()
     {
         return std::tuple_cat(
@@ -25,8 +28,10 @@ struct Flee : AimChoice
     static constexpr auto sentences()
     {
         return std::array{
-            Sentence<Flee>{QT_TRANSLATE_NOOP("Rules", "run {metres} m away"),
-                           [](const Flee& s) { return s.aim == ActionAim::Sender; }},
+            Sentence<Flee>{
+                QT_TRANSLATE_NOOP("Rules",
+                                  "run {metres} m away from whoever it came from, or anywhere"),
+                [](const Flee& s) { return s.aim == ActionAim::Sender; }},
             Sentence<Flee>{
                 QT_TRANSLATE_NOOP("Rules", "run {metres} m away from the nearest one tagged {tag}"),
                 [](const Flee& s) { return s.aim == ActionAim::Tagged; }},

@@ -13,6 +13,7 @@ struct SetSpeed
 
     float value = 0.0F; ///< m/s; 0: the payload of the event
 
+    [[nodiscard]] bool takesPayload() const { return value <= 0.0F; }
     static constexpr auto fields()
     {
         return std::tuple(
