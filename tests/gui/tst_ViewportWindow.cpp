@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include <QtCore/QSettings>
 #include <QtGui/QCursor>
 #include <QtGui/QImage>
 #include <QtGui/QPointingDevice>
@@ -14,11 +15,15 @@
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QLineEdit>
+#include <QtWidgets/QToolButton>
 #include <QtWidgets/QTreeWidget>
 #include <QtWidgets/QVBoxLayout>
 
+#include "model/project/PresetFolder.h"
 #include "tests/gui/Studio.h"
 #include "tests/program/WindowTest.h"
+#include "widgets/state/PresetUse.h"
+#include "widgets/state/StoredColours.h"
 #include "widgets/viewport/BrushPopup.h"
 #include "widgets/viewport/ViewportWidget.h"
 
@@ -63,6 +68,7 @@ private Q_SLOTS:
     void penPressureReachesTheBrush();
     void survivesANewContext();
     void rightButtonOpensThePaletteAndItChoosesTools();
+    void thePaletteIsSmallAndHasWhatWasUsedLately();
     void escapeWhileTheButtonIsDownTakesBack();
     void statisticsAreTold();
 };
@@ -288,12 +294,26 @@ void TestViewportWindow::penPressureReachesTheBrush()
                            pressure, 0.0F, 0.0F, 0.0F, 0.0, 0.0F, Qt::NoModifier, button, buttons);
         QApplication::sendEvent(studio.view, &event);
     };
-    send(QEvent::TabletPress, 0.5, Qt::LeftButton, Qt::LeftButton);
-    QVERIFY(studio.view->tools().isDragging());
+    const auto radius = [&] { return studio.view->tools().picture().circle->radius; };
+    send(QEvent::TabletPress, 0.5, Qt::LeftButton, Qt::LeftButton); // and it rests
+    QTRY_VERIFY(studio.view->tools().isDragging());
     QVERIFY(studio.view->tools().picture().circle.has_value());
-    QCOMPARE(studio.view->tools().picture().circle->radius, brush.radiusPixels * 0.5);
+    QCOMPARE(radius(), brush.radiusPixels * 0.5);
     send(QEvent::TabletRelease, 0.0, Qt::LeftButton, Qt::NoButton);
     QVERIFY(!studio.view->tools().isDragging());
+    // The first sample of a pen that comes down says little.
+    send(QEvent::TabletPress, 0.02, Qt::LeftButton, Qt::LeftButton);
+    QVERIFY(!studio.view->tools().isDragging());
+    send(QEvent::TabletMove, 0.75, Qt::NoButton, Qt::LeftButton);
+    QVERIFY(studio.view->tools().isDragging());
+    QCOMPARE(radius(), brush.radiusPixels * 0.75);
+    send(QEvent::TabletRelease, 0.0, Qt::LeftButton, Qt::NoButton);
+    // A tap is a dab.
+    const std::size_t people = studio.people();
+    send(QEvent::TabletPress, 0.6, Qt::LeftButton, Qt::LeftButton);
+    send(QEvent::TabletRelease, 0.0, Qt::LeftButton, Qt::NoButton);
+    QVERIFY(!studio.view->tools().isDragging());
+    QVERIFY(studio.people() >= people);
 }
 
 void TestViewportWindow::survivesANewContext()
@@ -330,6 +350,45 @@ void TestViewportWindow::rightButtonOpensThePaletteAndItChoosesTools()
     QCOMPARE(studio.state.tool(), ToolId::BrushColour);
     QTRY_VERIFY(!popup->isVisible());
     QCOMPARE(studio.people(), std::size_t{0});
+}
+
+/// Not one row as wide as the picture.
+void TestViewportWindow::thePaletteIsSmallAndHasWhatWasUsedLately()
+{
+    model::BrushSettings red(model::BrushKind::Colour);
+    red.as<model::ColourSettings>().colors = {{200, 20, 30}};
+    model::PresetFolder folder(model::presetFolder());
+    QVERIFY(folder.save(QStringLiteral("Red"), red).isOk());
+    QSettings().remove(QStringLiteral("presets/latest"));
+    Studio studio;
+    QVERIFY(studio.isReady());
+    usePreset(studio.state, *folder.find(QStringLiteral("Red")));
+    studio.state.setTool(ToolId::Select);
+    QTest::mouseClick(studio.view, Qt::RightButton, {}, kCenter);
+    auto* popup = studio.view->findChild<BrushPopup*>();
+    QTRY_VERIFY(popup->isVisible());
+    QVERIFY2(popup->width() < 420, qPrintable(QString::number(popup->width())));
+    auto* presets = popup->findChild<QWidget*>(QStringLiteral("latestPresets"));
+    const auto buttons = presets->findChildren<QToolButton*>();
+    QCOMPARE(buttons.size(), 1);
+    const QImage shown = buttons.front()->icon().pixmap(32, 32).toImage();
+    QCOMPARE(shown.pixelColor(shown.width() / 2, shown.height() - 4), QColor(200, 20, 30));
+    QTest::mouseClick(buttons.front(), Qt::LeftButton);
+    QCOMPARE(studio.state.tool(), ToolId::BrushColour);
+    QTRY_VERIFY(!popup->isVisible());
+    QCOMPARE(latestPresets(), QStringList{QStringLiteral("Red")});
+    // Of the colour brush, the colours of late.
+    storeColours(kRecentColours, {QColor(10, 200, 30)});
+    QTest::mouseClick(studio.view, Qt::RightButton, {}, kCenter);
+    QTRY_VERIFY(popup->isVisible());
+    auto* colours = popup->findChild<QWidget*>(QStringLiteral("latestColours"));
+    QTRY_VERIFY(colours->isVisible());
+    QTest::mouseClick(colours->findChild<QToolButton*>(), Qt::LeftButton);
+    const auto& painted =
+        studio.state.brush(model::BrushKind::Colour).as<model::ColourSettings>().colors.front();
+    QVERIFY((painted == model::PaintColor{10, 200, 30}));
+    QVERIFY(folder.remove(QStringLiteral("Red")).isOk());
+    QSettings().remove(QStringLiteral("presets/latest"));
 }
 
 void TestViewportWindow::escapeWhileTheButtonIsDownTakesBack()

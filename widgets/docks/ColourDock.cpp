@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include <QtCore/QEvent>
-#include <QtCore/QSettings>
 #include <QtGui/QAction>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QLineEdit>
@@ -13,6 +12,7 @@
 
 #include "widgets/docks/ColourSquare.h"
 #include "widgets/docks/SwatchGrid.h"
+#include "widgets/state/StoredColours.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
@@ -23,8 +23,7 @@ constexpr int kChipSize = 22;
 constexpr int kSwatchSize = 18;
 constexpr std::size_t kMostColors = 16;
 constexpr std::size_t kMostRecent = 7;
-const QString kSwatchesKey = QStringLiteral("colours/swatches");
-const QString kRecentKey = QStringLiteral("colours/recent");
+constexpr const char* kSwatchesKey = "colours/swatches";
 
 QColor toColor(const model::PaintColor& color)
 {
@@ -47,27 +46,6 @@ QStringList firstSwatches()
             QStringLiteral("#7fa650"), QStringLiteral("#3f6f4f"), QStringLiteral("#4a90d9"),
             QStringLiteral("#2c4a86"), QStringLiteral("#6a4b8c"), QStringLiteral("#b0558f"),
             QStringLiteral("#7fc4c9")};
-}
-
-std::vector<QColor> stored(const QString& key, const QStringList& otherwise)
-{
-    const QVariant value = QSettings().value(key);
-    std::vector<QColor> colors;
-    for (const QString& name : value.isValid() ? value.toStringList() : otherwise) {
-        if (const QColor color(name); color.isValid()) {
-            colors.push_back(color);
-        }
-    }
-    return colors;
-}
-
-void store(const QString& key, const std::vector<QColor>& colors)
-{
-    QStringList names;
-    for (const QColor& color : colors) {
-        names << color.name();
-    }
-    QSettings().setValue(key, names);
 }
 
 /// Swatches with a control at their right.
@@ -111,8 +89,8 @@ ColourDock::ColourDock(EditorState& state, QWidget* parent)
     m_swatches->setObjectName(QStringLiteral("swatches"));
     m_swatches->setHint(tr("A right click removes it"));
     m_swatches->setAddition(tr("Keep the colour as a swatch"));
-    m_recent->setColors(stored(kRecentKey, {}));
-    m_swatches->setColors(stored(kSwatchesKey, firstSwatches()));
+    m_recent->setColors(storedColours(kRecentColours));
+    m_swatches->setColors(storedColours(kSwatchesKey, firstSwatches()));
     setScrolledContent(content);
     connectState();
     refreshIcons();
@@ -261,7 +239,7 @@ void ColourDock::noteUsed(model::BrushKind kind)
         recent.insert(recent.begin(), used);
     }
     recent.resize(std::min(recent.size(), kMostRecent));
-    store(kRecentKey, recent);
+    storeColours(kRecentColours, recent);
     m_recent->setColors(std::move(recent));
     refresh();
 }
@@ -306,7 +284,7 @@ void ColourDock::keepSwatch()
     std::vector<QColor> swatches = m_swatches->colors();
     if (std::ranges::find(swatches, color()) == swatches.end()) {
         swatches.push_back(color());
-        store(kSwatchesKey, swatches);
+        storeColours(kSwatchesKey, swatches);
         m_swatches->setColors(std::move(swatches));
     }
 }
@@ -315,7 +293,7 @@ void ColourDock::removeSwatch(int index)
 {
     std::vector<QColor> swatches = m_swatches->colors();
     swatches.erase(swatches.begin() + index);
-    store(kSwatchesKey, swatches);
+    storeColours(kSwatchesKey, swatches);
     m_swatches->setColors(std::move(swatches));
 }
 

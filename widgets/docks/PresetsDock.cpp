@@ -14,13 +14,14 @@
 #include "model/base/Translated.h"
 #include "widgets/forms/LastFolder.h"
 #include "widgets/forms/PanelButton.h"
+#include "widgets/state/PresetUse.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
 
 namespace {
 
-constexpr int kPresetIcon = 20; ///< logical pixels
+constexpr int kPresetIcon = 32; ///< logical pixels
 const QString kPresetFolder = QStringLiteral("presets/folder");
 
 QString presetFilter()
@@ -104,7 +105,7 @@ void PresetsDock::fill()
     m_list->clear();
     for (const BrushPreset& preset : m_presets.all()) {
         const ToolInfo& tool = toolInfo(toolOf(preset.kind));
-        auto* item = new QListWidgetItem(iconNamed(tool.stableId), preset.name, m_list);
+        auto* item = new QListWidgetItem(presetPicture(preset), preset.name, m_list);
         item->setData(kIdRole, preset.name);
         item->setFlags(item->flags() | Qt::ItemIsEditable);
         item->setToolTip(tr("%1: a click sets it so. F2 gives another name; words with # are tags.")
@@ -138,8 +139,7 @@ void PresetsDock::filter()
 void PresetsDock::use(const QString& name)
 {
     if (const BrushPreset* preset = m_presets.find(name)) {
-        m_state.setBrush(model::applied(*preset, m_state.brush(preset->kind)));
-        m_state.setTool(toolOf(preset->kind));
+        usePreset(m_state, *preset);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <QtCore/QCoreApplication>
 #include <QtCore/QSignalBlocker>
 #include <QtGui/QIcon>
+#include <QtGui/QPixmap>
 #include <QtGui/QScreen>
 #include <QtWidgets/QButtonGroup>
 #include <QtWidgets/QComboBox>
@@ -17,7 +18,10 @@
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QVBoxLayout>
 
+#include "model/project/PresetFolder.h"
 #include "widgets/state/BrushTexts.h"
+#include "widgets/state/PresetUse.h"
+#include "widgets/state/StoredColours.h"
 #include "widgets/viewport/ToolIcons.h"
 
 namespace crowd::widgets {
@@ -28,6 +32,25 @@ namespace {
 
 // The slider is logarithmic: as easy to set 8 pixels as 300.
 constexpr int kSliderSteps = 200;
+constexpr int kColumns = 7;     ///< of tools
+constexpr int kPresetSize = 32; ///< logical pixels
+constexpr int kColourSize = 22;
+
+QString tipOf(model::BrushKind brush)
+{
+    return QCoreApplication::translate("Actions", model::brushType(brush).info.tip);
+}
+
+/// Without what it had; a new row is there at once, an old layout goes with its widgets.
+QHBoxLayout* emptied(QWidget& row)
+{
+    qDeleteAll(row.findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
+    delete row.layout();
+    auto* layout = new QHBoxLayout(&row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    return layout;
+}
 
 int sliderOf(float radius)
 {
@@ -55,6 +78,12 @@ BrushPopup::BrushPopup(EditorState& state, QWidget* parent)
     layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(8);
     layout->addWidget(makeTools());
+    m_presets = new QWidget(this);
+    m_presets->setObjectName(QStringLiteral("latestPresets"));
+    layout->addWidget(m_presets);
+    m_colours = new QWidget(this);
+    m_colours->setObjectName(QStringLiteral("latestColours"));
+    layout->addWidget(m_colours);
     layout->addWidget(makeSettings());
     connect(&state, &EditorState::brushChanged, this, &BrushPopup::refresh);
     connect(&state, &EditorState::toolChanged, this, &BrushPopup::refresh);
@@ -64,9 +93,9 @@ BrushPopup::BrushPopup(EditorState& state, QWidget* parent)
 QWidget* BrushPopup::makeTools()
 {
     auto* box = new QWidget(this);
-    auto* row = new QHBoxLayout(box);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(2);
+    auto* grid = new QGridLayout(box);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(2);
     m_tools = new QButtonGroup(box);
     for (const ToolInfo& info : toolTable()) {
         auto* button = new QToolButton(box);
@@ -78,17 +107,76 @@ QWidget* BrushPopup::makeTools()
         button->setText(name);
         button->setToolButtonStyle(button->icon().isNull() ? Qt::ToolButtonTextOnly
                                                            : Qt::ToolButtonIconOnly);
-        button->setToolTip(tr("%1 (%2)").arg(name, QLatin1String(info.shortcut)));
+        const QString title = tr("%1 (%2)").arg(name, QLatin1String(info.shortcut));
+        button->setToolTip(info.brush ? title + QLatin1Char('\n') + tipOf(*info.brush) : title);
         button->setCheckable(true);
         button->setAutoRaise(true);
         m_tools->addButton(button, static_cast<int>(info.id));
-        row->addWidget(button);
+        const int at = grid->count();
+        grid->addWidget(button, at / kColumns, at % kColumns);
     }
     connect(m_tools, &QButtonGroup::idClicked, this, [this](int id) {
         close();
         m_state.setTool(static_cast<ToolId>(id));
     });
     return box;
+}
+
+/// Those that are still there.
+void BrushPopup::fillPresets()
+{
+    QHBoxLayout* row = emptied(*m_presets);
+    const model::PresetFolder folder(model::presetFolder());
+    for (const QString& name : latestPresets()) {
+        const model::BrushPreset* found = folder.find(name);
+        if (found == nullptr) {
+            continue;
+        }
+        auto* button = new QToolButton(m_presets);
+        button->setIcon(presetPicture(*found));
+        button->setIconSize({kPresetSize, kPresetSize});
+        button->setToolTip(name);
+        button->setAutoRaise(true);
+        row->addWidget(button);
+        connect(button, &QToolButton::clicked, this, [this, preset = *found] {
+            close();
+            usePreset(m_state, preset);
+        });
+    }
+    m_presets->setVisible(row->count() > 0);
+    row->addStretch(1);
+}
+
+void BrushPopup::fillColours()
+{
+    QHBoxLayout* row = emptied(*m_colours);
+    for (const QColor& color : storedColours(kRecentColours)) {
+        auto* button = new QToolButton(m_colours);
+        QPixmap square(kColourSize, kColourSize);
+        square.fill(color);
+        button->setIcon(square);
+        button->setIconSize(square.size());
+        button->setToolTip(color.name());
+        button->setAutoRaise(true);
+        row->addWidget(button);
+        connect(button, &QToolButton::clicked, this, [this, color] { paintWith(color); });
+    }
+    const bool hasAny = row->count() > 0;
+    row->addStretch(1);
+    m_colours->setVisible(hasAny && m_state.tool() == ToolId::BrushColour);
+}
+
+void BrushPopup::paintWith(const QColor& color)
+{
+    change([&color](BrushSettings settings) {
+        if (auto* colour = settings.find<model::ColourSettings>()) {
+            colour->colors.front() = {static_cast<std::uint8_t>(color.red()),
+                                      static_cast<std::uint8_t>(color.green()),
+                                      static_cast<std::uint8_t>(color.blue())};
+        }
+        return settings;
+    });
+    close();
 }
 
 QWidget* BrushPopup::makeSettings()
@@ -166,6 +254,8 @@ void BrushPopup::popUp(const QPoint& globalPosition)
     for (const ToolInfo& info : toolTable()) {
         m_tools->button(static_cast<int>(info.id))->setIcon(toolIcon(info.id)); // the theme's
     }
+    fillPresets();
+    fillColours();
     refresh();
     adjustSize();
     QRect place({}, size());

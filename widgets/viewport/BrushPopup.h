@@ -15,8 +15,9 @@ class QSlider;
 
 namespace crowd::widgets {
 
-/// The brush palette at the cursor: choose a tool, its area, its size and its main number without
-/// leaving the picture. Choosing a tool closes it; so do a click elsewhere and Escape.
+/// The brush palette at the cursor: choose a tool, one of the presets and colours of late, the
+/// brush's area, its size and its main number without leaving the picture. Choosing a tool or a
+/// preset closes it; so do a click elsewhere and Escape.
 class BrushPopup : public QFrame
 {
     Q_OBJECT
@@ -29,6 +30,9 @@ public:
 
 private:
     QWidget* makeTools();
+    void fillPresets();
+    void fillColours();
+    void paintWith(const QColor& color);
     QWidget* makeSettings();
     void refresh();
     void change(const std::function<model::BrushSettings(const model::BrushSettings&)>& how);
@@ -36,6 +40,8 @@ private:
     EditorState& m_state;
     // Children of this widget.
     QButtonGroup* m_tools = nullptr;
+    QWidget* m_presets = nullptr; ///< those of late; hidden while there are none
+    QWidget* m_colours = nullptr; ///< of the colour brush
     QWidget* m_settings = nullptr;
     QComboBox* m_selection = nullptr;
     QSlider* m_size = nullptr;
