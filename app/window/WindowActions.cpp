@@ -207,7 +207,7 @@ const WindowAction kEditActions[] = {
      {.inputs = ActionInput::Paths, .isEnabled = hasSeveralPlaces}},
     {{"path-end", QT_TRANSLATE_NOOP("Actions", "&End Path"), "path-end", "Return; Enter",
       QT_TRANSLATE_NOOP("Actions", "End the path that is being painted")},
-     [](MainWindow& w, bool) { w.state().paths().end(); },
+     [](MainWindow& w, bool) { widgets::endPath(w.state()); },
      {.inputs = ActionInput::Paths,
       .isEnabled = [](MainWindow& w) { return w.state().paths().isPainting(); }}},
     {{"preferences", QT_TRANSLATE_NOOP("Actions", "&Preferences…"), "preferences", "Ctrl+,",

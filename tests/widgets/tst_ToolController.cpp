@@ -25,6 +25,8 @@ private Q_SLOTS:
     void keysDoNothingElseInTheMiddleOfADrag();
     void lateEventsNeverTurnTimeBack();
     void theEnvironmentBrushSaysWhatItPaintsAndChoosesIt();
+    void aDoubleClickPutsAPlaceIntoAPath();
+    void aPathOfOnePlaceGoesWhenItEnds();
     void aPathOfPlacesIsOfTheKindThatWasAskedFor();
     void theWalkBrushComesBackToItsPath();
 };
@@ -101,6 +103,76 @@ void TestToolController::theEnvironmentBrushSaysWhatItPaintsAndChoosesIt()
     hand.release(kCenter + QPointF(90.0, 40.0));
     QVERIFY(hand.state.paths().places().empty());
     QCOMPARE(hand.state.paths().path(), hand.document.scene().paths[0].id);
+    // The first obstacle is Obstacle 1, whatever else there is.
+    hand.state.setTool(ToolId::BrushEnvironment);
+    brush.as<crowd::model::EnvironmentSettings>().role = model::PlaceRole::Obstacle;
+    hand.state.setBrush(brush);
+    for (const QString& number : {QStringLiteral(" 1"), QStringLiteral(" 2")}) {
+        hand.press(kCenter);
+        hand.release(kCenter);
+        const std::string& name = hand.document.scene().places.back().name;
+        QCOMPARE(QString::fromStdString(name), placeRoleName(model::PlaceRole::Obstacle) + number);
+    }
+}
+
+void TestToolController::aDoubleClickPutsAPlaceIntoAPath()
+{
+    Hand hand;
+    hand.state.setTool(ToolId::BrushPath);
+    const QPointF left = kCenter - QPointF(120.0, 0.0);
+    const QPointF right = kCenter + QPointF(120.0, 0.0);
+    for (const QPointF& at : {left, right}) {
+        hand.press(at);
+        hand.release(at);
+    }
+    QCOMPARE(hand.document.scene().places.size(), std::size_t{2});
+    hand.key(Qt::Key_Escape);
+    hand.state.setTool(ToolId::Select);
+    hand.press(kCenter);
+    hand.release(kCenter);
+    QCOMPARE(hand.state.paths().path(), hand.document.scene().paths[0].id);
+    QCOMPARE(hand.document.scene().places.size(), std::size_t{2}); // one click alone does not
+    ToolInput second = hand.at(kCenter, Qt::LeftButton);
+    second.isSecond = true;
+    hand.tools.press(second);
+    hand.release(kCenter);
+    const model::Path& path = hand.document.scene().paths[0];
+    QCOMPARE(path.places.size(), std::size_t{3});
+    const model::Place& middle = *hand.document.scene().findPlace(path.places[1]);
+    QVERIFY(QLineF(hand.pixelOf(middle.position), kCenter).length() < 2.0);
+    QCOMPARE(hand.state.paths().places(), std::vector<model::PlaceId>{middle.id});
+    hand.document.undoStack().undo();
+    QCOMPARE(hand.document.scene().paths[0].places.size(), std::size_t{2});
+    // Beside it there is no path.
+    second = hand.at(kCenter + QPointF(0.0, 150.0), Qt::LeftButton);
+    second.isSecond = true;
+    hand.tools.press(second);
+    hand.release(kCenter + QPointF(0.0, 150.0));
+    QCOMPARE(hand.document.scene().places.size(), std::size_t{2});
+}
+
+/// It would lead nowhere.
+void TestToolController::aPathOfOnePlaceGoesWhenItEnds()
+{
+    for (const Qt::Key key : {Qt::Key_Escape, Qt::Key_Return}) {
+        Hand hand;
+        hand.state.setTool(ToolId::BrushPath);
+        hand.press(kCenter);
+        hand.release(kCenter);
+        QCOMPARE(hand.document.scene().paths.size(), std::size_t{1});
+        hand.key(key);
+        QVERIFY(hand.document.scene().paths.empty() && hand.document.scene().places.empty());
+        QVERIFY(!hand.state.paths().isPainting());
+        hand.document.undoStack().undo(); // it can be had back
+        QCOMPARE(hand.document.scene().paths.size(), std::size_t{1});
+        // One of two stays.
+        hand.state.paths().paint(hand.document.scene().paths[0].id);
+        hand.press(kCenter + QPointF(90.0, 40.0));
+        hand.release(kCenter + QPointF(90.0, 40.0));
+        hand.key(key);
+        QCOMPARE(hand.document.scene().paths.size(), std::size_t{1});
+        QCOMPARE(hand.document.scene().places.size(), std::size_t{2});
+    }
 }
 
 void TestToolController::aPathOfPlacesIsOfTheKindThatWasAskedFor()

@@ -256,14 +256,22 @@ std::optional<PlaceHit> placeAt(const ToolContext& context, const QPointF& pixel
     return middle ? middle : border;
 }
 
-model::PathId pathUnder(const ToolContext& context, const ToolInput& input)
+namespace {
+
+/// The way from one place of a path to the next, by the first one's index; path 0: none.
+struct Leg
 {
-    const auto ground = groundUnder(context, input);
+    model::PathId path = 0;
+    std::size_t index = 0;
+};
+
+Leg legUnder(const ToolContext& context, const std::optional<glm::vec3>& ground)
+{
     if (!ground || !context.state.viewOptions().showPaths) {
-        return 0;
+        return {};
     }
     const model::Scene& scene = context.state.scene();
-    model::PathId nearest = 0;
+    Leg nearest;
     float least = 1.0F;
     for (const model::Path& path : scene.paths) {
         const std::size_t count = path.places.size();
@@ -275,11 +283,70 @@ model::PathId pathUnder(const ToolContext& context, const ToolInput& input)
                 from != nullptr && to != nullptr ? offMiddle(*ground, *from, *to) : least;
             if (off < least) {
                 least = off;
-                nearest = path.id;
+                nearest = {path.id, i};
             }
         }
     }
     return nearest;
+}
+
+/// Whether another path leads over it.
+bool isNeeded(const model::Scene& scene, model::PlaceId place, model::PathId path)
+{
+    return std::ranges::any_of(scene.paths, [&](const model::Path& each) {
+        return each.id != path && std::ranges::find(each.places, place) != each.places.end();
+    });
+}
+
+} // namespace
+
+model::PathId pathUnder(const ToolContext& context, const ToolInput& input)
+{
+    return legUnder(context, groundUnder(context, input)).path;
+}
+
+bool insertPlaceUnder(const ToolContext& context, const ToolInput& input)
+{
+    const auto ground = groundUnder(context, input);
+    const Leg leg = legUnder(context, ground);
+    const model::Scene& scene = context.state.scene();
+    const model::Path* path = scene.findPath(leg.path);
+    if (path == nullptr) {
+        return false;
+    }
+    const model::Place& from = *scene.findPlace(path->places[leg.index]);
+    const model::Place& to = *scene.findPlace(path->places[(leg.index + 1) % path->places.size()]);
+    model::Place added = from;
+    added.position = *ground;
+    added.radius = 0.5F * (from.radius + to.radius);
+    added.name.clear();
+    model::PlaceId made = 0;
+    context.state.document().edit(
+        PlaceHandlesText::tr("Insert a place"),
+        [&](model::SceneEdit& edit) { made = insertPlace(edit, leg.path, leg.index + 1, added); });
+    if (made != 0) {
+        context.state.paths().look(leg.path);
+        context.state.paths().select({made});
+    }
+    return true;
+}
+
+void endPath(EditorState& state)
+{
+    const model::Path* path =
+        state.paths().isPainting() ? state.scene().findPath(state.paths().path()) : nullptr;
+    if (path != nullptr && path->places.size() == 1) {
+        const model::Path gone = *path;
+        const bool isTaken = isNeeded(state.scene(), gone.places.front(), gone.id);
+        state.document().edit(PlaceHandlesText::tr("Take back a path of one place"),
+                              [&](model::SceneEdit& edit) {
+                                  edit.removePath(gone.id);
+                                  if (!isTaken) {
+                                      edit.removePlace(gone.places.front());
+                                  }
+                              });
+    }
+    state.paths().end();
 }
 
 DragSessionPtr placeDrag(const ToolContext& context, const ToolInput& press, const PlaceHit& hit)

@@ -228,6 +228,19 @@ private:
         }
     }
 
+    /// The first obstacle is Obstacle 1, whatever else there is.
+    [[nodiscard]] QString freeName(const QString& what) const
+    {
+        const std::vector<model::Place>& places = m_context.state.scene().places;
+        for (int number = 1;; ++number) {
+            QString name = PlaceToolText::tr("%1 %2").arg(what).arg(number);
+            if (std::ranges::find(places, name.toStdString(), &model::Place::name) ==
+                places.end()) {
+                return name;
+            }
+        }
+    }
+
     void addRole(const glm::vec3& ground)
     {
         model::Place place;
@@ -238,10 +251,7 @@ private:
         const QString text = PlaceToolText::tr("Add: %1").arg(placeRoleName(place.role));
         m_context.state.document().edit(text, [&](model::SceneEdit& edit) {
             place.id = edit.addPlace(place);
-            place.name = PlaceToolText::tr("%1 %2")
-                             .arg(placeRoleName(place.role))
-                             .arg(place.id)
-                             .toStdString();
+            place.name = freeName(placeRoleName(place.role)).toStdString();
             edit.changePlace(place);
         });
         m_context.state.paths().select({place.id});

@@ -201,7 +201,8 @@ QString SelectTool::hint() const
     return SelectToolText::tr(
         "Click: select · Drag: area, or move who is selected · Shift: add, Ctrl: toggle, areas "
         "from "
-        "anywhere · L: lasso or rectangle · Delete: remove · F: show the selection");
+        "anywhere · Double click on a path: insert a place · L: lasso or rectangle · Delete: "
+        "remove · F: show the selection");
 }
 
 DragSessionPtr SelectTool::press(const ToolInput& input)
@@ -222,6 +223,9 @@ DragSessionPtr SelectTool::press(const ToolInput& input)
     }
     const auto hit =
         m_context.queries.picker(input.pointer.shownSeconds).individualAt(input.pointer.pixels());
+    if (!hit && input.isSecond && insertPlaceUnder(m_context, input)) {
+        return nullptr;
+    }
     if (!hit) {
         return std::make_unique<AreaSelect>(m_context, input, std::nullopt);
     }

@@ -334,7 +334,7 @@ bool ToolController::escape()
         return true;
     }
     forgetSources();
-    m_state.paths().end();
+    endPath(m_state);
     m_state.paths().select({});
     m_state.selection().clear();
     return true;

@@ -14,6 +14,7 @@ struct ToolInput
     model::PointerInput pointer;
     Qt::MouseButton button = Qt::NoButton; ///< of a press or release
     Qt::KeyboardModifiers modifiers;
+    bool isSecond = false; ///< a press: of a double click
 
     /// Logical pixels in the view.
     [[nodiscard]] QPointF position() const

@@ -8,6 +8,7 @@
 
 #include "widgets/commands/SelectionCommands.h"
 #include "widgets/commands/ViewCommands.h"
+#include "widgets/tools/PlaceHandles.h"
 
 namespace crowd::widgets {
 
@@ -31,8 +32,8 @@ const std::array<StateKey, 11> kStateKeys{{
      [](EditorState& state) { state.document().undoStack().undo(); }},
     {Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier,
      [](EditorState& state) { state.document().undoStack().redo(); }},
-    {Qt::Key_Return, Qt::NoModifier, [](EditorState& state) { state.paths().end(); }},
-    {Qt::Key_Enter, Qt::NoModifier, [](EditorState& state) { state.paths().end(); }},
+    {Qt::Key_Return, Qt::NoModifier, endPath},
+    {Qt::Key_Enter, Qt::NoModifier, endPath},
     {Qt::Key_G, Qt::NoModifier,
      [](EditorState& state) { state.setSeatGridOn(!state.isSeatGridOn()); }},
 }};

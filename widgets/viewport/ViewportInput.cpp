@@ -2,6 +2,7 @@
 #include "widgets/viewport/ViewportInput.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QtGui/QCursor>
 #include <QtGui/QKeyEvent>
@@ -18,6 +19,7 @@ namespace crowd::widgets {
 
 namespace {
 
+constexpr int kPenWaitMs = 40;     ///< samples come faster, unless the pen rests
 constexpr double kNotch = 120.0;   ///< of QWheelEvent::angleDelta
 constexpr int kPointerMargin = 40; ///< to the border while flying, logical pixels
 
@@ -70,6 +72,9 @@ ViewportInput::ViewportInput(QWidget& picture, ToolController& tools)
     : m_picture(picture), m_tools(tools)
 {
     m_sinceInput.start();
+    m_penWait.setSingleShot(true);
+    m_penWait.setInterval(kPenWaitMs);
+    connect(&m_penWait, &QTimer::timeout, this, [this] { beginPenStroke(0.0); });
     QApplication::instance()->installEventFilter(this);
 }
 
@@ -112,9 +117,12 @@ bool ViewportInput::takeEvent(QEvent& event)
 {
     switch (event.type()) {
     case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonDblClick: // quick dabs are dabs
-        m_tools.press(inputOf(static_cast<QMouseEvent&>(event), 1.0));
+    case QEvent::MouseButtonDblClick: { // quick dabs are dabs
+        ToolInput input = inputOf(static_cast<QMouseEvent&>(event), 1.0);
+        input.isSecond = event.type() == QEvent::MouseButtonDblClick;
+        m_tools.press(input);
         return true;
+    }
     case QEvent::MouseMove:
         move(static_cast<QMouseEvent&>(event));
         return true;
@@ -166,14 +174,27 @@ void ViewportInput::takeTablet(QTabletEvent& event)
     switch (event.type()) {
     case QEvent::TabletPress:
         m_picture.setFocus(Qt::MouseFocusReason);
-        m_tools.press(input);
+        m_penPress = input;
+        m_penWait.start();
         break;
     case QEvent::TabletRelease:
+        beginPenStroke(0.0);
         m_tools.release(input);
         break;
     default:
+        beginPenStroke(event.pressure());
         m_tools.move(input);
         break;
+    }
+}
+
+/// A pen begins with next to no pressure, whatever the hand means: the next sample counts, too.
+void ViewportInput::beginPenStroke(double pressure)
+{
+    m_penWait.stop();
+    if (auto press = std::exchange(m_penPress, std::nullopt)) {
+        press->pointer.pressure = std::max(press->pointer.pressure, static_cast<float>(pressure));
+        m_tools.press(*press);
     }
 }
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include <QtCore/QElapsedTimer>
 #include <QtCore/QObject>
+#include <QtCore/QTimer>
 
 #include "widgets/tools/ToolController.h"
 
@@ -41,6 +44,7 @@ private:
     bool takeEvent(QEvent& event);
     void move(const QSinglePointEvent& event);
     void takeTablet(QTabletEvent& event);
+    void beginPenStroke(double pressure);
     void turnWheel(QWheelEvent& event);
     bool claimKey(QKeyEvent& event);
     bool pressKey(const QKeyEvent& event);
@@ -54,6 +58,9 @@ private:
     ToolInput m_lastInput;
     QElapsedTimer m_sinceInput;
     double m_shownSeconds = 0.0;
+    /// A pen that has just touched the tablet: how hard, its next sample says.
+    std::optional<ToolInput> m_penPress;
+    QTimer m_penWait; ///< for that sample
 };
 
 } // namespace crowd::widgets
