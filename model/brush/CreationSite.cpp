@@ -24,6 +24,7 @@ constexpr int kAttempts = 4; ///< places tried in a cell
 constexpr std::size_t kCellsPerChunk = 128;
 constexpr float kAboveSurface = 0.05F;
 
+constexpr float kStoreyMetres = 2.0F;  ///< what is higher above a place is not on it
 constexpr float kPersonRadius = 0.25F; ///< of those whom the minimal distance is meant for, metres
 constexpr float kDiscSpacing = 1.0F;   ///< radii, along a long body
 
@@ -142,7 +143,21 @@ StrokeReason CreationSite::reasonAgainst(const SurfaceHit& surface) const
     if (surface.normal.y < kSteepestCosine) {
         return StrokeReason::TooSteep;
     }
+    if (!m_settings.as<CreateSettings>().anywhere && isKeptOutOf(surface.point)) {
+        return StrokeReason::ForbiddenGround;
+    }
     return m_ground ? reasonOf(m_ground->refusal(surface.point)) : StrokeReason::None;
+}
+
+/// Whoever began there would first of all walk out of it.
+bool CreationSite::isKeptOutOf(const glm::vec3& point) const
+{
+    return std::ranges::any_of(m_scene.places, [&point](const Place& place) {
+        const bool isOne = place.role == PlaceRole::Forbidden || place.role == PlaceRole::Obstacle;
+        const glm::vec3 way = point - place.position;
+        return isOne && std::abs(way.y) < kStoreyMetres &&
+               way.x * way.x + way.z * way.z < place.radius * place.radius;
+    });
 }
 
 std::optional<Spot> CreationSite::onSurface(glm::dvec2 pixel)

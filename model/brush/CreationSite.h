@@ -59,6 +59,7 @@ private:
     [[nodiscard]] std::vector<Cell> cellsUnder(const ScreenArea& area);
     /// Why somebody cannot stand on a surface; None: he can.
     [[nodiscard]] StrokeReason reasonAgainst(const SurfaceHit& surface) const;
+    [[nodiscard]] bool isKeptOutOf(const glm::vec3& point) const;
     [[nodiscard]] std::optional<glm::vec3> candidate(const ScreenArea& area, Cell cell, int attempt,
                                                      StrokeReason& against) const;
     [[nodiscard]] std::uint64_t keyOf(Cell cell) const;

@@ -30,6 +30,7 @@ enum class StrokeReason : std::uint8_t {
     TooSteepToWalk, ///< as NotWalkable, for another reason: these three
     TooLowToWalk,
     TooNarrowToWalk,
+    ForbiddenGround,   ///< within a place that people keep out of
     NothingUnderBrush, ///< the sky
     TooNearToOthers,
     AreaTooFar,

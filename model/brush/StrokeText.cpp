@@ -51,6 +51,9 @@ constexpr ReasonText kReasons[] = {
      QT_TRANSLATE_NOOP("Brushes",
                        "Too near to a wall or an edge: lower “Body radius” (Environment, Where "
                        "characters can walk), or choose “Anywhere” in the brush settings")},
+    {StrokeReason::ForbiddenGround,
+     QT_TRANSLATE_NOOP("Brushes", "An obstacle or forbidden ground: choose “Anywhere” in the brush "
+                                  "settings to create there all the same")},
     {StrokeReason::NothingUnderBrush,
      QT_TRANSLATE_NOOP("Brushes", "Nothing to stand on under the brush")},
     {StrokeReason::TooNearToOthers,

@@ -58,6 +58,7 @@ private Q_SLOTS:
     void createsOnTheGround();
     void landsOnTheStage();
     void refusesSteepSlopes();
+    void keepsOutOfForbiddenGround();
     void keepsTheMinimalDistance();
     void wideBodiesTakeMoreRoom();
     void looksThroughPeople();
@@ -124,6 +125,31 @@ void tst_BrushCreate::refusesSteepSlopes()
     QCOMPARE(
         steep.paint(view, filling, {pixelOf(view, {-1, 0, -1}), pixelOf(view, {1, 0, 1})}).reason,
         StrokeReason::TooSteep);
+}
+
+void tst_BrushCreate::keepsOutOfForbiddenGround()
+{
+    const View view = fromAbove();
+    BrushSettings walkers = creator(BrushSelection::Point);
+    walkers.as<CreateSettings>().anywhere = false;
+    for (const PlaceRole role : {PlaceRole::Forbidden, PlaceRole::Obstacle, PlaceRole::Spot}) {
+        BrushScene scene;
+        scene.document.edit(QStringLiteral("Place"), [role](SceneEdit& edit) {
+            Place place;
+            place.position = {1.0F, 0.0F, 2.0F};
+            place.radius = 1.5F;
+            place.role = role;
+            (void)edit.addPlace(place);
+        });
+        const auto inside = scene.paint(view, walkers, {pixelOf(view, {1, 0, 3})});
+        QCOMPARE(inside.isCommitted, role == PlaceRole::Spot);
+        if (!inside.isCommitted) {
+            QCOMPARE(inside.reason, StrokeReason::ForbiddenGround);
+        }
+        QVERIFY(scene.paint(view, walkers, {pixelOf(view, {1, 0, 4})}).isCommitted);
+        BrushSettings anywhere = creator(BrushSelection::Point);
+        QVERIFY(scene.paint(view, anywhere, {pixelOf(view, {0.5F, 0, 1.5F})}).isCommitted);
+    }
 }
 
 void tst_BrushCreate::keepsTheMinimalDistance()
