@@ -57,6 +57,11 @@ def lamps():
     return scene.render(*SIZE, camera="Square")
 
 
+def streetlamps():
+    """The ready-made city, whose lamps go on after dark."""
+    return scene_of("city", "night", haze=.15).render(*SIZE, camera="Square")
+
+
 def density():
     """How densely people stand."""
     return scene_of("city").render(*SIZE, by="density")
@@ -110,7 +115,8 @@ def passes():
     return crowdbrush.Picture((np.concatenate([picture, opaque], axis=2) * 255).round().astype(np.uint8))
 
 
-PICTURES = {each.__name__: each for each in (highlights, cartoon, focus, mist, lamps, density, looks, figures, passes)}
+PICTURES = {each.__name__: each for each in
+            (highlights, cartoon, focus, mist, lamps, streetlamps, density, looks, figures, passes)}
 
 
 def main():

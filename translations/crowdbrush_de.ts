@@ -2049,6 +2049,10 @@
         <source>Another take is still being made: wait for it</source>
         <translation>Ein anderer Take entsteht noch: Warten Sie, bis er fertig ist</translation>
     </message>
+    <message>
+        <source>An obstacle or forbidden ground: choose “Anywhere” in the brush settings to create there all the same</source>
+        <translation>Ein Hindernis oder verbotener Boden: Wählen Sie „Überall“ in den Pinseleinstellungen, um dort trotzdem zu erzeugen</translation>
+    </message>
 </context>
 <context>
     <name>ClipRole</name>
@@ -3776,10 +3780,6 @@
         <translation>Nach</translation>
     </message>
     <message>
-        <source>Sun and sky: those of the scene, or ready-made ones</source>
-        <translation>Sonne und Himmel: die der Szene oder fertige</translation>
-    </message>
-    <message>
         <source>Spotlights</source>
         <translation>Scheinwerfer</translation>
     </message>
@@ -4118,6 +4118,30 @@
     <message>
         <source>What the picture shows from its lower edge to its upper one</source>
         <translation>Was das Bild vom unteren Rand zum oberen zeigt</translation>
+    </message>
+    <message>
+        <source>Of the lamp: what is nearer to it than that gets no brighter</source>
+        <translation>Der Lampe: was ihr näher ist als das, wird nicht heller</translation>
+    </message>
+    <message>
+        <source>Only After Dark</source>
+        <translation>Nur bei Dunkelheit</translation>
+    </message>
+    <message>
+        <source>Its own</source>
+        <translation>Eigenes</translation>
+    </message>
+    <message>
+        <source>Begins as what is seen, and can be set below</source>
+        <translation>Beginnt mit dem, was man sieht, und lässt sich unten einstellen</translation>
+    </message>
+    <message>
+        <source>Sun and sky: those of the scene, ready-made ones, or its own</source>
+        <translation>Sonne und Himmel: die der Szene, fertige oder eigene</translation>
+    </message>
+    <message>
+        <source>As street lamps: it shines while sun and sky are dark</source>
+        <translation>Wie Straßenlaternen: es leuchtet, solange Sonne und Himmel dunkel sind</translation>
     </message>
 </context>
 <context>
@@ -6212,6 +6236,18 @@
         <source>%1 is a quaternion (w, x, y, z) of length 1; (1, 0, 0, 0) does not turn. The length of what was given is %2.</source>
         <translation>%1 ist eine Quaternion (w, x, y, z) der Länge 1; (1, 0, 0, 0) dreht nicht. Die Länge der angegebenen ist %2.</translation>
     </message>
+    <message>
+        <source>It is built like a person and %1 m tall; import it at scale %2, or at 1 if it is a giant.</source>
+        <translation>Es ist wie ein Mensch gebaut und %1 m groß; importieren Sie es im Maßstab %2, oder in 1, wenn es ein Riese ist.</translation>
+    </message>
+    <message>
+        <source>It is named &quot;%1&quot; and %2 m large; import it at scale %3, or at 1 if it is meant to be so.</source>
+        <translation>Es heißt „%1“ und ist %2 m groß; importieren Sie es im Maßstab %3, oder in 1, wenn es so gemeint ist.</translation>
+    </message>
+    <message>
+        <source>It is named &quot;%1&quot; and %2 m large: scale %3 would make it as large as one.</source>
+        <translation>Es heißt „%1“ und ist %2 m groß: Im Maßstab %3 wäre es so groß wie ein echtes.</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -6307,6 +6343,14 @@
         <source>%1: characters jump from its last place to its first.</source>
         <translation>%1: Figuren springen vom letzten Ort zum ersten.</translation>
     </message>
+    <message>
+        <source>Insert a place</source>
+        <translation>Einen Ort einfügen</translation>
+    </message>
+    <message>
+        <source>Take back a path of one place</source>
+        <translation>Einen Weg aus nur einem Ort zurücknehmen</translation>
+    </message>
 </context>
 <context>
     <name>PlaceTool</name>
@@ -6325,10 +6369,6 @@
     <message>
         <source>Close a path</source>
         <translation>Einen Weg schließen</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
     </message>
     <message>
         <source>Add: %1</source>
@@ -6365,6 +6405,10 @@
     <message>
         <source>Something is in between: characters walk %1 m around it.</source>
         <translation>Etwas steht dazwischen: Figuren gehen %1 m darum herum.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
     </message>
 </context>
 <context>
@@ -6987,10 +7031,6 @@
         <translation>Tierherde</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source> and </source>
         <translation> und </translation>
     </message>
@@ -7377,10 +7417,6 @@
     <message>
         <source>for</source>
         <translation>lang</translation>
-    </message>
-    <message>
-        <source>run {metres} m away</source>
-        <translation>{metres} m weit weglaufen</translation>
     </message>
     <message>
         <source>run {metres} m away from the nearest one tagged {tag}</source>
@@ -8254,6 +8290,82 @@
         <source>It does nothing yet: choose a light; the panel Light adds one.</source>
         <translation>Sie tut noch nichts: ein Licht wählen; das Bedienfeld „Licht“ fügt eines hinzu.</translation>
     </message>
+    <message>
+        <source>a new tag, %1</source>
+        <translation>eine neue Marke, %1</translation>
+    </message>
+    <message>
+        <source>It is about whoever it came from, but it comes from nobody: let it begin with an event or with someone near, or choose whom it is about.</source>
+        <translation>Sie handelt von dem, von dem es kam, aber es kommt von niemandem: Lassen Sie sie mit einem Ereignis beginnen oder damit, dass jemand nahe ist, oder wählen Sie, von wem sie handelt.</translation>
+    </message>
+    <message>
+        <source>It asks for an event’s number, but comes without one: let it begin with an event, or give the number.</source>
+        <translation>Sie fragt nach der Zahl eines Ereignisses, kommt aber ohne eines: Lassen Sie sie mit einem Ereignis beginnen, oder geben Sie die Zahl an.</translation>
+    </message>
+    <message>
+        <source>What stands below “do it again” is never done: move it up, or remove it.</source>
+        <translation>Was unter „von vorn“ steht, geschieht nie: Schieben Sie es nach oben, oder entfernen Sie es.</translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation>schwarz</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>weiß</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>grau</translation>
+    </message>
+    <message>
+        <source>brown</source>
+        <translation>braun</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>rot</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>orange</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>gelb</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>grün</translation>
+    </message>
+    <message>
+        <source>turquoise</source>
+        <translation>türkis</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>blau</translation>
+    </message>
+    <message>
+        <source>purple</source>
+        <translation>violett</translation>
+    </message>
+    <message>
+        <source>pink</source>
+        <translation>rosa</translation>
+    </message>
+    <message>
+        <source>no. %1</source>
+        <translation>Nr. %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>run {metres} m away from whoever it came from, or anywhere</source>
+        <translation>{metres} m weit von dem weglaufen, von dem es kam, oder irgendwohin</translation>
+    </message>
 </context>
 <context>
     <name>Script</name>
@@ -8376,8 +8488,8 @@
         </translation>
     </message>
     <message>
-        <source>Click: select · Drag: area, or move who is selected · Shift: add, Ctrl: toggle, areas from anywhere · L: lasso or rectangle · Delete: remove · F: show the selection</source>
-        <translation>Klick: auswählen · Ziehen: Bereich, oder Ausgewählte bewegen · Umschalt: dazu, Strg: umkehren, Bereiche von überall · L: Lasso oder Rechteck · Entf: löschen · F: Auswahl zeigen</translation>
+        <source>Click: select · Drag: area, or move who is selected · Shift: add, Ctrl: toggle, areas from anywhere · Double click on a path: insert a place · L: lasso or rectangle · Delete: remove · F: show the selection</source>
+        <translation>Klick: auswählen · Ziehen: Bereich, oder Ausgewählte bewegen · Umschalt: dazu, Strg: umkehren, Bereiche von überall · Doppelklick auf einen Weg: Ort einfügen · L: Lasso oder Rechteck · Entf: entfernen · F: Auswahl zeigen</translation>
     </message>
 </context>
 <context>
@@ -9233,6 +9345,10 @@ Verworfen ist sie fort.</translation>
         <source>Collect assets</source>
         <translation>Dateien sammeln</translation>
     </message>
+    <message>
+        <source>Save Scene As: Its Files Are Collected Beside It</source>
+        <translation>Szene speichern unter: Ihre Dateien werden daneben gesammelt</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::Interpreter</name>
@@ -9564,6 +9680,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Shows the panel</source>
         <translation>Zeigt das Bedienfeld</translation>
+    </message>
+    <message>
+        <source>This field cannot be changed now.</source>
+        <translation>Dieses Feld lässt sich gerade nicht ändern.</translation>
     </message>
 </context>
 <context>

@@ -2049,6 +2049,10 @@
         <source>Another take is still being made: wait for it</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>An obstacle or forbidden ground: choose “Anywhere” in the brush settings to create there all the same</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ClipRole</name>
@@ -3776,10 +3780,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sun and sky: those of the scene, or ready-made ones</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Spotlights</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4117,6 +4117,30 @@
     </message>
     <message>
         <source>What the picture shows from its lower edge to its upper one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the lamp: what is nearer to it than that gets no brighter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only After Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begins as what is seen, and can be set below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sun and sky: those of the scene, ready-made ones, or its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As street lamps: it shines while sun and sky are dark</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6212,6 +6236,18 @@
         <source>%1 is a quaternion (w, x, y, z) of length 1; (1, 0, 0, 0) does not turn. The length of what was given is %2.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>It is built like a person and %1 m tall; import it at scale %2, or at 1 if it is a giant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is named &quot;%1&quot; and %2 m large; import it at scale %3, or at 1 if it is meant to be so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is named &quot;%1&quot; and %2 m large: scale %3 would make it as large as one.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -6307,6 +6343,14 @@
         <source>%1: characters jump from its last place to its first.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Insert a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take back a path of one place</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PlaceTool</name>
@@ -6324,10 +6368,6 @@
     </message>
     <message>
         <source>Close a path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6364,6 +6404,10 @@
     </message>
     <message>
         <source>Something is in between: characters walk %1 m around it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6987,10 +7031,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source> and </source>
         <translation type="unfinished"></translation>
     </message>
@@ -7376,10 +7416,6 @@
     </message>
     <message>
         <source>for</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>run {metres} m away</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8254,6 +8290,82 @@
         <source>It does nothing yet: choose a light; the panel Light adds one.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>a new tag, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is about whoever it came from, but it comes from nobody: let it begin with an event or with someone near, or choose whom it is about.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It asks for an event’s number, but comes without one: let it begin with an event, or give the number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What stands below “do it again” is never done: move it up, or remove it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>brown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turquoise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>purple</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pink</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run {metres} m away from whoever it came from, or anywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Script</name>
@@ -8376,7 +8488,7 @@
         </translation>
     </message>
     <message>
-        <source>Click: select · Drag: area, or move who is selected · Shift: add, Ctrl: toggle, areas from anywhere · L: lasso or rectangle · Delete: remove · F: show the selection</source>
+        <source>Click: select · Drag: area, or move who is selected · Shift: add, Ctrl: toggle, areas from anywhere · Double click on a path: insert a place · L: lasso or rectangle · Delete: remove · F: show the selection</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9228,6 +9340,10 @@ Thrown away, it is gone.</source>
         <source>Collect assets</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Save Scene As: Its Files Are Collected Beside It</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::Interpreter</name>
@@ -9558,6 +9674,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Shows the panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This field cannot be changed now.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

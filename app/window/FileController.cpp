@@ -354,15 +354,14 @@ bool FileController::mayOverwrite(const QString& path)
     return box.exec() == QMessageBox::Save;
 }
 
-QString FileController::askForSavePath()
+QString FileController::askForSavePath(const QString& title)
 {
     QString suggestion = m_state.document().path();
     if (suggestion.isEmpty()) {
         suggestion =
             usualFolder({}) + QLatin1Char('/') + documentName() + QLatin1Char('.') + kSuffix;
     }
-    QFileDialog dialog(m_window, tr("Save Scene As"), QFileInfo(suggestion).absolutePath(),
-                       sceneFilter());
+    QFileDialog dialog(m_window, title, QFileInfo(suggestion).absolutePath(), sceneFilter());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(kSuffix);
     dialog.selectFile(QFileInfo(suggestion).fileName());
@@ -387,7 +386,12 @@ QString FileController::askForSavePath()
 
 bool FileController::saveAs()
 {
-    const QString path = mayStart() ? askForSavePath() : QString();
+    return saveUnder(tr("Save Scene As"));
+}
+
+bool FileController::saveUnder(const QString& title)
+{
+    const QString path = mayStart() ? askForSavePath(title) : QString();
     return !path.isEmpty() && write(path);
 }
 
@@ -411,7 +415,10 @@ bool FileController::write(const QString& path)
 
 bool FileController::collectAssets()
 {
-    if (!save()) {
+    const bool isSaved = m_state.document().path().isEmpty()
+                             ? saveUnder(tr("Save Scene As: Its Files Are Collected Beside It"))
+                             : save();
+    if (!isSaved) {
         return false;
     }
     const auto collected =

@@ -83,7 +83,8 @@ private:
     /// cancelled.
     [[nodiscard]] std::optional<Opening> chooseVersion(const QString& path);
     bool offerRecentRecovery();
-    [[nodiscard]] QString askForSavePath();
+    [[nodiscard]] QString askForSavePath(const QString& title);
+    bool saveUnder(const QString& title);
     [[nodiscard]] bool mayOverwrite(const QString& path);
     /// Asks again when the scene was changed since it had this revision.
     [[nodiscard]] bool mayStillLeaveScene(std::uint64_t revision);

@@ -208,7 +208,7 @@ void TestRulesList::conditionsReadAsSentences_data()
         kind.value = 3.0F;
         return kind;
     };
-    add(HasTag(), "tagged 1", "not tagged 1");
+    add(HasTag(), "tagged no. 1", "not tagged no. 1");
     add(FollowsPath(), "walking any path", "not walking any path");
     add(IsSeated(), "seated", "not seated");
     add(Chance(), "by chance in 50 % of cases", "except by chance in 50 % of cases");
@@ -230,7 +230,7 @@ void TestRulesList::conditionsReadAsSentences()
     rule.conditions = {condition};
     rule.actions = {model::actions::Stop()};
     QCOMPARE(ruleSentence({}, rule),
-             QStringLiteral("When “go” reaches someone, %1: stop").arg(text));
+             QStringLiteral("When “go” reaches someone (%1): stop").arg(text));
 }
 
 void TestRulesList::leavingReadsAsASentence_data()
