@@ -123,6 +123,7 @@ struct RenderInput
     std::span<const model::Light> lights;
     Look look = Look::Lit;
     std::optional<InkLine> ink = std::nullopt; ///< instead of the look's
+    bool isTwoTone = false;                    ///< the cartoon's light, instead of three steps
     /// What drawAovs() says motion against; none: nothing is said of it.
     std::optional<EarlierMoment> earlier = std::nullopt;
     LevelThresholds levels;

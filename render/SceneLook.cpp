@@ -32,6 +32,7 @@ void useLook(RenderInput& input, const model::LookPreset& look)
 {
     input.look = lookOf(look.style);
     input.lighting = model::lightIn(look, input.lighting);
+    input.isTwoTone = look.isTwoTone;
     if (!look.hasLamps) {
         input.lights = {};
     }

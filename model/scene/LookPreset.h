@@ -41,6 +41,7 @@ struct LookPreset
     std::string name;
     LookStyle style = LookStyle::Lit;
     std::string property = "template"; ///< what people are coloured by, of Property
+    bool isTwoTone = false; ///< of Cartoon: light and shade alone, without a step between
     LookLight light = LookLight::Scene;
     Lighting ownLight;      ///< of Own
     bool hasLamps = true;   ///< the lights that stand in the scene shine
@@ -103,6 +104,12 @@ constexpr auto LookPreset::fields()
                              .label = QT_TRANSLATE_NOOP("Fields", "By"),
                              .doc = "what people are coloured by, of \"property\""})
             .when([](const S& s, const C&) { return s.style == LookStyle::Property; }),
+        field(&S::isTwoTone,
+              {.key = "twoTones",
+               .label = QT_TRANSLATE_NOOP("Fields", "Two Tones"),
+               .tip = QT_TRANSLATE_NOOP("Fields", "Light and shade alone, without a step between"),
+               .doc = "of \"cartoon\": light and shade alone, without a step between"})
+            .when([](const S& s, const C&) { return s.style == LookStyle::Cartoon; }),
         field(&S::light, {.key = "light",
                           .label = QT_TRANSLATE_NOOP("Fields", "Light"),
                           .tip = QT_TRANSLATE_NOOP("Fields", "Sun and sky: those of the scene, "

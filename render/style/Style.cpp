@@ -73,6 +73,7 @@ Style Style::of(const RenderInput& input)
     const model::Lighting lighting = look.isByProperty ? evenLight(input.lighting) : input.lighting;
     Style style;
     style.surfaceDefines = look.defines;
+    style.surfaceDefines += input.isTwoTone && input.look == Look::Cartoon ? "TWO_TONES " : "";
     style.light = LinearLight::from(lighting);
     style.inkPixels = input.ink ? input.ink->pixels : look.inkPixels;
     style.isWire = look.isWire;

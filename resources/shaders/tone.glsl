@@ -22,11 +22,15 @@ float luminanceOf(vec3 c)
     return dot(c, vec3(0.2126, 0.7152, 0.0722));
 }
 
-// What a share of the full light becomes: three steps, and coarser ones where lights make more of it.
+// What a share of the full light becomes: two or three steps, and coarser ones where lights make more of it.
 float stepped(float level)
 {
     float more = 1.0 + 0.5 * min(floor(max(level - 1.0, 0.0) * 2.0 + 0.25), 2.0);
+#ifdef TWO_TONES
+    return (0.50 + 0.50 * smoothstep(0.46, 0.49, level)) * more;
+#else
     return (0.42 + 0.26 * smoothstep(0.30, 0.33, level) + 0.32 * smoothstep(0.60, 0.63, level)) * more;
+#endif
 }
 
 // A lit colour, with its share of the full light, in steps.

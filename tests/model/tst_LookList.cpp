@@ -32,6 +32,7 @@ Looks twoLooks()
     plan.name = "Plan";
     plan.style = LookStyle::Property;
     plan.property = "tag";
+    plan.isTwoTone = true;
     plan.hasLamps = false;
     plan.hasShadows = false;
     plan.hasGround = false;

@@ -170,10 +170,11 @@ void TestCartoon::lightComesInSteps()
     stage->meshes[0].normals = {{0, 1, 0}, {0, -1, 0.01F}, {0, -1, 0.01F}, {0, 1, 0}};
     model::StageEntry entry;
     entry.asset = stage;
-    const auto valuesOf = [&](render::Look look) {
+    const auto valuesOf = [&](render::Look look, bool isTwoTone = false) {
         render::RenderInput input = frontOf(above().camera(), look);
         input.frame = frameOf(model::Population(), {entryFor(m_man)});
         input.stages = {&entry, 1};
+        input.isTwoTone = isTwoTone;
         input.lighting.sunElevationRadians = 1.5F;
         draw(input);
         std::set<int> values;
@@ -185,6 +186,9 @@ void TestCartoon::lightComesInSteps()
     const std::size_t smooth = valuesOf(render::Look::Lit);
     const std::size_t stepped = valuesOf(render::Look::Cartoon);
     QVERIFY2(stepped * 2 < smooth, qPrintable(QStringLiteral("%1 %2").arg(smooth).arg(stepped)));
+    const std::size_t two = valuesOf(render::Look::Cartoon, true);
+    QVERIFY2(two < stepped, qPrintable(QStringLiteral("%1 %2").arg(stepped).arg(two)));
+    QCOMPARE(valuesOf(render::Look::Lit, true), smooth); // it is the cartoon's alone
 }
 
 void TestCartoon::theOtherLooksHaveNone()
