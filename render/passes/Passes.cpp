@@ -42,6 +42,8 @@ bool hasPeople(const PassContext& context)
 constexpr PassInfo kPasses[] = {
     {"people", [](Passes& p, const PassContext& c) { return p.people.draw(c, p.crowd, p.seen); },
      Mark::People, &hasPeople, true, true},
+    {"depths of the stage", [](Passes& p, const PassContext& c) { return p.stage.drawDepths(c); },
+     Mark::None, &StagePass::areDepthsWorthwhile},
     {"stage", [](Passes& p, const PassContext& c) { return p.stage.draw(c); }, Mark::Others,
      nullptr, true, true},
     {"ground", [](Passes& p, const PassContext& c) { return p.background.drawGround(c); },

@@ -279,6 +279,25 @@ void StagePass::releaseUnused()
 /// Both sides: a wall keeps the sun out from wherever it comes.
 Result<void> StagePass::drawCasters(const PassContext& context)
 {
+    return drawSolids(context, true);
+}
+
+/// What lamps give a pixel costs several times as much as where it is.
+bool StagePass::areDepthsWorthwhile(const PassContext& context)
+{
+    return !context.style.isWire && !context.style.lights.empty();
+}
+
+Result<void> StagePass::drawDepths(const PassContext& context)
+{
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    auto drawn = drawSolids(context, false);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    return drawn;
+}
+
+Result<void> StagePass::drawSolids(const PassContext& context, bool fromBothSides)
+{
     for (const StageEntry& entry : context.input.stages) {
         if (!entry.asset) {
             continue;
@@ -290,6 +309,7 @@ Result<void> StagePass::drawCasters(const PassContext& context)
             if (material.alphaMode == AlphaMode::Blend) {
                 continue;
             }
+            (fromBothSides || material.doubleSided ? glDisable : glEnable)(GL_CULL_FACE);
             auto drawn = drawCaster(context, gpu, batch, entry.worldFromStage());
             if (!drawn) {
                 return drawn;
@@ -318,7 +338,6 @@ Result<void> StagePass::drawCaster(const PassContext& context, const Gpu& gpu, c
     if (isCut) {
         setSurface(shader, gpu, index);
     }
-    glDisable(GL_CULL_FACE);
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.indexCount), GL_UNSIGNED_INT,
                    bufferOffset(batch.firstIndex * sizeof(std::uint32_t)));
     context.countDraw(batch.indexCount / 3);

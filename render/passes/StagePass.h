@@ -23,6 +23,9 @@ public:
     [[nodiscard]] model::Result<void> drawBlended(const PassContext& context);
     /// Depth alone, of what is solid, from both sides.
     [[nodiscard]] model::Result<void> drawCasters(const PassContext& context);
+    /// Depth alone, of what is solid, as draw() will find it: what is hidden costs no light then.
+    [[nodiscard]] model::Result<void> drawDepths(const PassContext& context);
+    [[nodiscard]] static bool areDepthsWorthwhile(const PassContext& context);
     /// Stages that the last picture did not show go at once.
     void releaseUnused();
 
@@ -50,6 +53,7 @@ private:
     [[nodiscard]] model::Result<void> drawEntries(const PassContext& context, bool isBlended);
     [[nodiscard]] model::Result<void> drawBatch(const PassContext& context, const Gpu& gpu,
                                                 const Batch& batch, const glm::mat4& matrix);
+    [[nodiscard]] model::Result<void> drawSolids(const PassContext& context, bool fromBothSides);
     [[nodiscard]] model::Result<void> drawCaster(const PassContext& context, const Gpu& gpu,
                                                  const Batch& batch, const glm::mat4& matrix);
     static void setRelief(ShaderProgram& shader, const Gpu& gpu, std::size_t index);

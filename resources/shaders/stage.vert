@@ -5,6 +5,8 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
 layout(location = 3) in vec4 vertexColor;
 
+invariant gl_Position; // the depths that are drawn first are those of the surface
+
 uniform mat4 viewProjection;
 uniform mat4 worldFromStage;
 uniform vec4 baseColor;

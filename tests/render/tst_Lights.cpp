@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -82,6 +83,9 @@ private Q_SLOTS:
     void oddCastersDoNoHarm();
     void aLampInAWallShinesOnlyOutOfIt();
     void aBlackSunIsNoSun();
+    void whatIsHiddenIsNotLit();
+    void aCameraInsideSomebodySeesOut_data();
+    void aCameraInsideSomebodySeesOut();
 
 private:
     [[nodiscard]] render::RenderInput night();
@@ -530,6 +534,58 @@ void TestLights::oddCastersDoNoHarm()
     shine(input, {inside, wide, narrow, far, slanting(0.5F, 0.0F)});
     QVERIFY2(std::abs(at(0.9F, 0.0F).y - shadowed) < 30,
              qPrintable(QString::number(at(0.9F, 0.0F).y)));
+}
+
+/// A board over a board: lamps light what is seen, and boards that lie on each other as without.
+void TestLights::whatIsHiddenIsNotLit()
+{
+    const std::vector<model::StageEntry> boards{
+        boardOver(1.0F, 1.0F, 0.5F), boardOver(1.0F, 1.0F, 1.5F), boardOver(-2.0F, -2.0F, 0.5F),
+        boardOver(-2.0F, -2.0F, 0.5F)};
+    render::RenderInput input = night();
+    input.stages = boards;
+    model::Light spot = spotOn({1.0F, 0.0F, 1.0F});
+    spot.coneRadians = 0.5F;
+    shine(input, {spot});
+    const int lit = at(1.0F, 1.0F).y;
+    const int coplanar = at(-2.0F, -2.0F).y;
+    input.stages = {boards.data() + 1, 2}; // without those beneath
+    shine(input, {spot});
+    QCOMPARE(at(1.0F, 1.0F).y, lit);
+    QCOMPARE(at(-2.0F, -2.0F).y, coplanar);
+    QVERIFY(lit > coplanar + 40);
+}
+
+void TestLights::aCameraInsideSomebodySeesOut_data()
+{
+    QTest::addColumn<render::Look>("look");
+    for (const render::LookInfo& info : render::kLooks) {
+        QTest::newRow(info.key) << info.look;
+    }
+}
+
+/// With all that light can do, and a lamp in the same place.
+void TestLights::aCameraInsideSomebodySeesOut()
+{
+    QFETCH(const render::Look, look);
+    const model::Camera camera = model::Camera::lookingAt({0.0F, 1.1F, 0.0F}, {4.0F, 0.0F, 0.5F});
+    render::RenderInput input(model::View(camera, glm::vec2(kPixels)), *m_keyframes);
+    input.frame = frameOf(makeRow(3), {entryFor(m_man)});
+    const model::StageEntry board = boardOver(4.0F, 0.0F, 0.5F);
+    input.stages = {&board, 1};
+    input.look = look;
+    input.lighting.shadowStrength = 1.0F;
+    input.lighting.occlusion = 1.0F;
+    input.lighting.highlights = 1.0F;
+    model::Light lamp = slanting(0.0F, 0.0F);
+    lamp.position = camera.position;
+    shine(input, {lamp});
+    std::set<std::uint32_t> colours;
+    for (std::size_t i = 0; i < m_pixels.size(); i += 4) {
+        QCOMPARE(m_pixels[i + 3], std::uint8_t{255});
+        colours.insert(m_pixels[i] << 16U | m_pixels[i + 1] << 8U | m_pixels[i + 2]);
+    }
+    QVERIFY2(colours.size() > 2, QByteArray::number(static_cast<int>(colours.size())));
 }
 
 CROWD_TEST(TestLights)
