@@ -219,6 +219,7 @@ def entry_type(field, is_argument):
                    "point": ("List[float]", "Sequence[float]"), "range": ("List[float]", "Sequence[float]"),
                    "curve": ("List[float]", "Sequence[float]"), "ids": ("List[int]", "Sequence[Any]"),
                    "numbers": ("List[int]", "Sequence[int]"),
+                   "points": ("List[List[float]]", "Sequence[Sequence[float]]"),
                    "colors": ("List[str]", "Sequence[Union[str, Sequence[int]]]"),
                    "clips": ("List[Dict[str, Any]]", "Clips"), "any": ("Any", "Any"),
                    "values": ("List[List[float]]", "Sequence[Sequence[float]]")}

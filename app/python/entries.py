@@ -82,6 +82,9 @@ class _Field:
     def _as_point(self, value, where):
         return _numbers(value, 3, where)
 
+    def _as_points(self, value, where):
+        return [_numbers(each, 3, f"{where}[{i}]") for i, each in enumerate(_listed(value, where))]
+
     def _as_range(self, value, where):
         return _numbers(value, 2, where)
 

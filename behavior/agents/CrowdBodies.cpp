@@ -5,7 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/geometric.hpp>
+
 #include "behavior/crowd/ForceKernel.h"
+#include "model/scene/PlaceShape.h"
 
 namespace crowd::behavior {
 
@@ -14,6 +17,74 @@ namespace {
 constexpr int kObstacleSides = 12;
 constexpr float kBelowObstacle = 1.0F; ///< metres that its walls reach down
 constexpr float kAboveObstacle = 2.0F;
+
+void addDisc(const model::Place& place, std::vector<Wall>& walls)
+{
+    for (int side = 0; side < kObstacleSides; ++side) {
+        const auto corner = [&](int index) {
+            const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(index) /
+                                static_cast<float>(kObstacleSides);
+            return glm::vec2(place.position.x, place.position.z) +
+                   place.radius * glm::vec2(std::sin(angle), std::cos(angle));
+        };
+        walls.push_back({corner(side), corner(side + 1), place.position.y - kBelowObstacle,
+                         place.position.y + kAboveObstacle, true});
+    }
+}
+
+/// Over the ground from the one to the other, as high as an obstacle.
+Wall wallBetween(const glm::vec3& from, const glm::vec3& to)
+{
+    return {{from.x, from.z},
+            {to.x, to.z},
+            std::min(from.y, to.y) - kBelowObstacle,
+            std::max(from.y, to.y) + kAboveObstacle,
+            true};
+}
+
+/// A box around each of its pieces, so much longer as it is wide: where pieces meet no gap is left.
+void addLine(const model::Place& place, std::vector<Wall>& walls)
+{
+    const std::vector<glm::vec3> corners = model::cornersOf(place);
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+        const glm::vec2 way(corners[i + 1].x - corners[i].x, corners[i + 1].z - corners[i].z);
+        const float metres = glm::length(way);
+        if (metres <= 0.0F) {
+            continue;
+        }
+        const glm::vec3 along = glm::vec3(way.x, 0.0F, way.y) * (place.radius / metres);
+        const glm::vec3 aside(along.z, 0.0F, -along.x);
+        const glm::vec3 from = corners[i] - along;
+        const glm::vec3 to = corners[i + 1] + along;
+        walls.push_back(wallBetween(from - aside, to - aside));
+        walls.push_back(wallBetween(to - aside, to + aside));
+        walls.push_back(wallBetween(to + aside, from + aside));
+        walls.push_back(wallBetween(from + aside, from - aside));
+    }
+}
+
+/// Twice the area that the corners go around, in the sense of the walls of a disc above zero.
+float turnOf(const std::vector<glm::vec3>& corners)
+{
+    float turn = 0.0F;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::vec3 a = corners[i] - corners.front();
+        const glm::vec3 b = corners[(i + 1) % corners.size()] - corners.front();
+        turn += a.z * b.x - a.x * b.z;
+    }
+    return turn;
+}
+
+void addArea(const model::Place& place, std::vector<Wall>& walls)
+{
+    std::vector<glm::vec3> corners = model::cornersOf(place);
+    if (!corners.empty() && turnOf(corners) < 0.0F) {
+        std::ranges::reverse(corners);
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        walls.push_back(wallBetween(corners[i], corners[(i + 1) % corners.size()]));
+    }
+}
 
 } // namespace
 
@@ -57,16 +128,19 @@ void turnLongBodies(CrowdSimulation& crowd, const MotionState& motion)
 void addObstacleWalls(std::span<const model::Place> places, std::vector<Wall>& walls)
 {
     for (const model::Place& place : places) {
-        for (int side = 0; side < kObstacleSides && place.role == model::PlaceRole::Obstacle;
-             ++side) {
-            const auto corner = [&](int index) {
-                const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(index) /
-                                    static_cast<float>(kObstacleSides);
-                return glm::vec2(place.position.x, place.position.z) +
-                       place.radius * glm::vec2(std::sin(angle), std::cos(angle));
-            };
-            walls.push_back({corner(side), corner(side + 1), place.position.y - kBelowObstacle,
-                             place.position.y + kAboveObstacle, true});
+        if (place.role != model::PlaceRole::Obstacle) {
+            continue;
+        }
+        switch (place.shape) {
+        case model::PlaceShape::Round:
+            addDisc(place, walls);
+            break;
+        case model::PlaceShape::Line:
+            addLine(place, walls);
+            break;
+        case model::PlaceShape::Area:
+            addArea(place, walls);
+            break;
         }
     }
 }

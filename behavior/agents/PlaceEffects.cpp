@@ -6,6 +6,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "model/scene/PlaceShape.h"
+
 namespace crowd::behavior {
 
 namespace {
@@ -32,7 +34,8 @@ std::vector<std::uint32_t> applyPlaceEffects(std::span<const model::Place> place
         const float sign = place.role == model::PlaceRole::Attractor ? 1.0F : -1.0F;
         for (std::uint32_t agent = 0; agent < bodies.size(); ++agent) {
             Body& body = bodies[agent];
-            const glm::vec2 way(place.position.x - body.x, place.position.z - body.z);
+            const glm::vec2 at(body.x, body.z);
+            const glm::vec2 way = model::nearestOf(place, at) - at;
             const float away = std::sqrt(way.x * way.x + way.y * way.y);
             if (away > reach || body.preferredSpeed <= 0.0F || isGone[agent] != 0 ||
                 hasLeft[agent] != 0) {

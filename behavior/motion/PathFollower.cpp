@@ -12,6 +12,7 @@
 #include "behavior/crowd/ForceKernel.h"
 #include "model/base/Bounds.h"
 #include "model/base/Random.h"
+#include "model/scene/PlaceShape.h"
 
 namespace crowd::behavior {
 
@@ -36,9 +37,13 @@ std::vector<Problem> PathFollower::setPaths(std::span<const model::Place> places
     m_slow.clear();
     for (const model::Place& place : places) {
         if (place.role == model::PlaceRole::Slow && model::Bounds::isPlace(place.position)) {
-            m_slow.push_back({{place.position.x, place.position.z},
-                              place.radius,
-                              std::clamp(place.speedShare, model::kMinSpeedShare, 1.0F)});
+            SlowArea& area = m_slow.emplace_back();
+            area.center = {place.position.x, place.position.z};
+            area.radius = model::reachOf(place);
+            area.share = std::clamp(place.speedShare, model::kMinSpeedShare, 1.0F);
+            if (place.shape != model::PlaceShape::Round) {
+                area.shape = place;
+            }
         }
     }
     const PathRoutes former = m_routes;
@@ -300,7 +305,8 @@ glm::vec2 PathFollower::wayTo(const Body& body, float height, Walk& walk, const 
 float PathFollower::slowness(float x, float z) const
 {
     for (const SlowArea& area : m_slow) {
-        if (glm::length2(area.center - glm::vec2(x, z)) < area.radius * area.radius) {
+        if (glm::length2(area.center - glm::vec2(x, z)) < area.radius * area.radius &&
+            (!area.shape || isInShape(area, x, z))) {
             return area.share;
         }
     }

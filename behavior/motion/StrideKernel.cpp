@@ -8,8 +8,14 @@
 
 #include "behavior/crowd/Avx2.h"
 #include "behavior/crowd/PackOrders.h"
+#include "model/scene/PlaceShape.h"
 
 namespace crowd::behavior {
+
+bool isInShape(const SlowArea& area, float x, float z)
+{
+    return model::isWithin(*area.shape, {x, area.shape->position.y, z});
+}
 
 namespace {
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,7 @@
 
 #include "behavior/crowd/Body.h"
 #include "behavior/motion/MotionState.h"
+#include "model/scene/Path.h"
 
 /// Steering and motion of agents in UpdateMode::Continue, many at once in vector registers. `begin`
 /// is a multiple of kLanes, and at most kStrideBlock agents are given at a time. Each function
@@ -27,8 +29,12 @@ struct SlowArea
 {
     glm::vec2 center{0.0F};
     float radius = 0.0F;
-    float share = 1.0F; ///< of the usual speed
+    float share = 1.0F;                               ///< of the usual speed
+    std::optional<model::Place> shape = std::nullopt; ///< where it is not round, within `radius`
 };
+
+/// Whether somebody who is within its radius is in it.
+[[nodiscard]] bool isInShape(const SlowArea& area, float x, float z);
 
 /// Where agents go while they go straight on, by agent; with spare elements as in MotionState.
 struct Aims

@@ -107,7 +107,11 @@ inline std::size_t steer(std::span<Body> bodies, const Aims& aims, std::span<con
         for (std::size_t i = slow.size(); i-- > 0;) { // the first one that they are in
             const F8 away =
                 squaredDistances(body[0] - slow[i].center.x, body[1] - slow[i].center.y);
-            share = away < slow[i].radius * slow[i].radius ? all(slow[i].share) : share;
+            I8 isIn = away < slow[i].radius * slow[i].radius;
+            for (std::size_t l = 0; slow[i].shape && l < kLanes; ++l) {
+                isIn[l] = isIn[l] != 0 && isInShape(slow[i], body[0][l], body[1][l]) ? -1 : 0;
+            }
+            share = isIn ? all(slow[i].share) : share;
         }
         const F8 speed = pace * share;
         const F8 length = squareRoot(greater(squared, all(1e-8F)));

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "behavior/rules/Errands.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
+
+#include <glm/common.hpp>
 
 #include "behavior/motion/TravelEvents.h"
+#include "model/base/Bounds.h"
 #include "model/base/Random.h"
+#include "model/scene/PlaceShape.h"
 
 namespace crowd::behavior {
 
@@ -146,14 +152,46 @@ bool hasErrandEnded(const RuleScope& scope, std::uint32_t agent)
            scope.state.agents[agent].errand.startedInStep != scope.state.clock.step;
 }
 
+namespace {
+
+/// Somewhere along a line or in an area; of a round place its middle.
+glm::vec3 middleFor(const ActionScope& scope, const model::Place& place)
+{
+    constexpr int kTries = 16;
+    const auto share = [&](std::uint64_t key) {
+        return draw(scope, scope.agent, model::hashKeys(place.id, key));
+    };
+    const std::vector<glm::vec3>& corners = place.corners;
+    if (place.shape == model::PlaceShape::Line && corners.size() > 1) {
+        const float along = share(84) * static_cast<float>(corners.size() - 1);
+        const auto side = std::min(static_cast<std::size_t>(along), corners.size() - 2);
+        return place.position +
+               glm::mix(corners[side], corners[side + 1], along - static_cast<float>(side));
+    }
+    model::Bounds bounds;
+    for (const glm::vec3& corner : corners) {
+        bounds.add(corner);
+    }
+    for (int i = 0; i < kTries && place.shape == model::PlaceShape::Area; ++i) {
+        const std::uint64_t key = 85 + 2 * static_cast<std::uint64_t>(i);
+        const glm::vec3 at =
+            glm::mix(bounds.low, bounds.high, glm::vec3(share(key), 0.5F, share(key + 1)));
+        if (model::isEnclosed(corners, {at.x, at.z})) {
+            return place.position + at;
+        }
+    }
+    return place.position;
+}
+
+} // namespace
+
 glm::vec3 pointIn(const ActionScope& scope, const model::Place& place)
 {
     const float radius =
         place.radius * std::sqrt(draw(scope, scope.agent, model::hashKeys(place.id, 82)));
     const float angle = kFullTurn * draw(scope, scope.agent, model::hashKeys(place.id, 83));
-    return scope.host.reached(place.position,
-                              place.position +
-                                  radius * glm::vec3(std::sin(angle), 0.0F, std::cos(angle)));
+    const glm::vec3 aside = radius * glm::vec3(std::sin(angle), 0.0F, std::cos(angle));
+    return scope.host.reached(place.position, middleFor(scope, place) + aside);
 }
 
 ActionStatus travel(const ActionScope& scope, const PlaceWish& wish)

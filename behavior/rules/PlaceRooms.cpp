@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "model/scene/PlaceShape.h"
+
 namespace crowd::behavior {
 
 namespace {
@@ -36,7 +38,7 @@ const model::Place* PlaceRooms::find(model::PlaceId id) const
 bool PlaceRooms::isInside(model::PlaceId id, const glm::vec3& position) const
 {
     const model::Place* place = find(id);
-    return place != nullptr && flatDistance(place->position, position) <= place->radius;
+    return place != nullptr && model::isWithin(*place, position);
 }
 
 void PlaceRooms::count(std::span<const Guest> guests)
@@ -45,8 +47,7 @@ void PlaceRooms::count(std::span<const Guest> guests)
     for (const Guest& guest : guests) {
         const std::size_t held = guest.holds != 0 ? indexOf(guest.holds) : m_places.size();
         for (std::size_t i = 0; i < m_places.size(); ++i) {
-            const bool isIn =
-                flatDistance(m_places[i].position, guest.position) <= m_places[i].radius;
+            const bool isIn = model::isWithin(m_places[i], guest.position);
             m_rooms[i].inside += isIn ? 1U : 0U;
             m_rooms[i].taken += held == i || (isIn && guest.holds == 0) ? 1U : 0U;
             m_rooms[i].held += held == i ? 1U : 0U;

@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "model/scene/PlaceShape.h"
+
 namespace crowd::behavior {
 
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "behavior/rules/PlaceRooms.h"
+#include "model/scene/PlaceShape.h"
 
 namespace crowd::behavior {
 
@@ -119,8 +119,7 @@ SessionTally countPeople(const SessionParts& parts)
         }
         const glm::vec3 at = parts.agents.motion.position(agent);
         for (std::size_t i = 0; i < parts.places.size(); ++i) {
-            const model::Place& place = parts.places[i];
-            inside[i] += flatDistance(place.position, at) <= place.radius ? 1U : 0U;
+            inside[i] += model::isWithin(parts.places[i], at) ? 1U : 0U;
         }
     }
     for (std::size_t i = 0; i < parts.places.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/base/Bounds.h"
+#include "model/scene/PlaceShape.h"
 
 namespace crowd::behavior {
 
@@ -15,6 +16,9 @@ SurfacePlan SurfacePlan::of(const model::Scene& scene)
     plan.points.assign(positions.begin(), positions.end());
     for (const model::Place& place : scene.places) {
         plan.points.push_back(place.position);
+        for (const glm::vec3& corner : model::cornersOf(place)) {
+            plan.points.push_back(corner);
+        }
         const bool isArea =
             model::changesWays(place.role) || place.role == model::PlaceRole::Obstacle;
         if (isArea && model::Bounds::isPlace(place.position) && std::isfinite(place.radius)) {
@@ -40,7 +44,7 @@ bool SurfacePlan::hasSameWays(const SurfacePlan& other) const
     return settings == other.settings &&
            std::ranges::equal(areas, other.areas, [](const auto& a, const auto& b) {
                return a.role == b.role && a.position == b.position && a.radius == b.radius &&
-                      a.speedShare == b.speedShare;
+                      a.speedShare == b.speedShare && a.shape == b.shape && a.corners == b.corners;
            });
 }
 

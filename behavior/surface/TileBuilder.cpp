@@ -2,11 +2,15 @@
 #include "behavior/surface/TileBuilder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include <glm/geometric.hpp>
 #include <recastnavigation/DetourNavMeshBuilder.h>
 
 #include "behavior/surface/SurfaceAreas.h"
+#include "model/base/Bounds.h"
+#include "model/scene/PlaceShape.h"
 
 namespace crowd::behavior {
 
@@ -130,7 +134,65 @@ bool TileBuilder::filter()
                           m_config.mergeRegionArea);
 }
 
+/// What a place takes up, and so much around it.
 void TileBuilder::mark(const model::Place& place, float margin, unsigned char area)
+{
+    if (place.shape == model::PlaceShape::Round) {
+        markDisc(place, margin, area);
+        return;
+    }
+    const std::vector<glm::vec3> corners = model::cornersOf(place);
+    const bool isArea = place.shape == model::PlaceShape::Area;
+    if (isArea) {
+        markEnclosed(corners, area);
+    }
+    model::Place knob = place;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        knob.position = corners[i];
+        markDisc(knob, margin, area);
+        if (isArea || i + 1 < corners.size()) {
+            markStrip(corners[i], corners[(i + 1) % corners.size()], place.radius + margin, area);
+        }
+    }
+}
+
+/// A rectangle over the way from one corner to the next.
+void TileBuilder::markStrip(const glm::vec3& from, const glm::vec3& to, float half,
+                            unsigned char area)
+{
+    const glm::vec3 way = (to - from) * glm::vec3(1.0F, 0.0F, 1.0F);
+    const float metres = glm::length(way);
+    if (metres > 0.0F) {
+        const glm::vec3 aside = glm::vec3(way.z, 0.0F, -way.x) * (half / metres);
+        const std::array corners{from - aside, to - aside, to + aside, from + aside};
+        markEnclosed(corners, area);
+    }
+}
+
+/// Whatever lies within an odd number of sides, which is how Recast asks.
+void TileBuilder::markEnclosed(std::span<const glm::vec3> corners, unsigned char area)
+{
+    model::Bounds bounds;
+    std::vector<float> coordinates;
+    coordinates.reserve(corners.size() * 3);
+    for (const glm::vec3& corner : corners) {
+        bounds.add(corner);
+        coordinates.insert(coordinates.end(), {corner.x, corner.y, corner.z});
+    }
+    for (const int axis : {0, 2}) {
+        if (!(bounds.high[axis] > m_config.bmin[axis] && bounds.low[axis] < m_config.bmax[axis])) {
+            return;
+        }
+    }
+    const auto within = [this](float y) {
+        return std::clamp(y, m_config.bmin[1] - kAreaHeight, m_config.bmax[1] + kAreaHeight);
+    };
+    rcMarkConvexPolyArea(&m_context, coordinates.data(), static_cast<int>(corners.size()),
+                         within(bounds.low.y - kAreaBelow),
+                         within(bounds.high.y + kAreaHeight - kAreaBelow), area, *m_compact);
+}
+
+void TileBuilder::markDisc(const model::Place& place, float margin, unsigned char area)
 {
     const float radius = std::min(place.radius, kWidestArea) + margin;
     // It counts cells from the corner, as whole numbers: none that is far off may come to it.

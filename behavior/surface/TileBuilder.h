@@ -57,6 +57,9 @@ private:
     bool rasterize();
     bool filter();
     void mark(const model::Place& place, float margin, unsigned char area);
+    void markDisc(const model::Place& place, float margin, unsigned char area);
+    void markStrip(const glm::vec3& from, const glm::vec3& to, float half, unsigned char area);
+    void markEnclosed(std::span<const glm::vec3> corners, unsigned char area);
     void markAreas();
     bool outline();
     bool assemble(TileData& into);

@@ -11,6 +11,7 @@
 #include "model/base/Random.h"
 #include "model/brush/NewPeople.h"
 #include "model/brush/Operator.h"
+#include "model/scene/PlaceShape.h"
 
 namespace crowd::model {
 
@@ -154,9 +155,8 @@ bool CreationSite::isKeptOutOf(const glm::vec3& point) const
 {
     return std::ranges::any_of(m_scene.places, [&point](const Place& place) {
         const bool isOne = place.role == PlaceRole::Forbidden || place.role == PlaceRole::Obstacle;
-        const glm::vec3 way = point - place.position;
-        return isOne && std::abs(way.y) < kStoreyMetres &&
-               way.x * way.x + way.z * way.z < place.radius * place.radius;
+        return isOne && std::abs(point.y - place.position.y) < kStoreyMetres &&
+               isWithin(place, point);
     });
 }
 

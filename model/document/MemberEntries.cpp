@@ -68,7 +68,11 @@ bool isSame(const Place& a, const Place& b)
 {
     return a.name == b.name && isSame(a.position, b.position) && isSame(a.radius, b.radius) &&
            a.color == b.color && a.role == b.role && a.capacity == b.capacity &&
-           isSame(a.speedShare, b.speedShare) && a.unknownMembers == b.unknownMembers;
+           isSame(a.speedShare, b.speedShare) && a.shape == b.shape &&
+           std::ranges::equal(
+               a.corners, b.corners,
+               [](const glm::vec3& x, const glm::vec3& y) { return isSame(x, y); }) &&
+           a.unknownMembers == b.unknownMembers;
 }
 
 bool isSame(const Path& a, const Path& b)
@@ -284,7 +288,8 @@ std::size_t bytesOf(const NamedCamera& camera)
 
 std::size_t bytesOf(const Place& place)
 {
-    return sizeof(place) + place.name.size() + place.unknownMembers.size();
+    return sizeof(place) + place.name.size() + place.unknownMembers.size() +
+           place.corners.size() * sizeof(glm::vec3);
 }
 
 std::size_t bytesOf(const Path& path)

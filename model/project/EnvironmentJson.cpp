@@ -2,6 +2,7 @@
 #include "model/project/EnvironmentJson.h"
 
 #include "model/project/JsonWriting.h"
+#include "model/scene/PlaceShape.h"
 
 namespace crowd::model {
 
@@ -12,6 +13,7 @@ using nlohmann::json;
 constexpr std::array kRoles{"spot", "obstacle", "attractor", "repeller",
                             "exit", "slow",     "forbidden", "preferred"};
 constexpr std::array<const char*, 3> kKinds{"simple", "cyclic", "teleport"};
+constexpr std::array<const char*, 3> kShapes{"round", "line", "area"};
 constexpr float kMaxWeight = 1000.0F;
 
 json toJson(const Place& place)
@@ -29,6 +31,12 @@ json toJson(const Place& place)
     }
     if (place.speedShare != Place().speedShare) {
         object["speedShare"] = number(place.speedShare);
+    }
+    if (place.shape != PlaceShape::Round) {
+        object["shape"] = kShapes[static_cast<std::size_t>(place.shape)];
+    }
+    for (const glm::vec3& corner : place.corners) {
+        object["corners"].push_back(numbers(corner));
     }
     return withUnknown(place.unknownMembers, object);
 }
@@ -48,6 +56,33 @@ json toJson(const Path& path)
     return withUnknown(path.unknownMembers, object);
 }
 
+void readCorners(JsonFields& fields, Place& place)
+{
+    const json* corners = fields.find("corners");
+    const bool isList = corners == nullptr || corners->is_array();
+    for (std::size_t i = 0; isList && corners != nullptr && i < corners->size(); ++i) {
+        const json& corner = (*corners)[i];
+        if (!corner.is_array() || corner.size() != 3 ||
+            !std::ranges::all_of(corner, &JsonFields::isFinite) || i >= kMostCorners) {
+            place.corners.clear();
+            break;
+        }
+        place.corners.emplace_back(corner[0].get<float>(), corner[1].get<float>(),
+                                   corner[2].get<float>());
+    }
+    const bool hasLost = isList && corners != nullptr && place.corners.size() != corners->size();
+    if (!isList || hasLost || !isWhole(place)) {
+        fields.complain("corners",
+                        QT_TRANSLATE_NOOP("Messages",
+                                          "%1 must be a list of [x, y, z], metres from the "
+                                          "position: 2 or more of a line, 3 or more of an area, at "
+                                          "most %2, none farther off than %3"),
+                        kMostCorners, kFarthestCorner);
+        place.shape = PlaceShape::Round;
+        place.corners.clear();
+    }
+}
+
 Place placeFrom(JsonFields fields)
 {
     Place place;
@@ -63,6 +98,8 @@ Place placeFrom(JsonFields fields)
                         kMaxPlaceCapacity);
     }
     readWithin(fields, "speedShare", kMinSpeedShare, 1.0F, place.speedShare);
+    readName(fields, "shape", kShapes, place.shape);
+    readCorners(fields, place);
     place.unknownMembers = fields.unknown();
     return place;
 }

@@ -265,7 +265,9 @@ json entriesJson()
     const json first = {{"kind", rule.trigger.kind().text.key}};
     return {
         entryJson("Place", "places", "A spot with a size on the ground.",
-                  fieldsJson(placeFields(), &place)),
+                  fieldsJson(placeFields(), &place),
+                  {partField("corners", "points",
+                             "of a line or an area, in order: metres from the position")}),
         entryJson("Branch", "", "Where some leave a path for the beginning of another one.",
                   fieldsJson(branchFields(), &branch)),
         entryJson("Path", "paths", "Places to walk along, in order.",

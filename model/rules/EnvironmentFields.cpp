@@ -19,6 +19,8 @@ constexpr std::array kRoles{FieldChoice{"spot", ""},      FieldChoice{"obstacle"
                             FieldChoice{"attractor", ""}, FieldChoice{"repeller", ""},
                             FieldChoice{"exit", ""},      FieldChoice{"slow", ""},
                             FieldChoice{"forbidden", ""}, FieldChoice{"preferred", ""}};
+constexpr std::array kShapes{FieldChoice{"round", ""}, FieldChoice{"line", ""},
+                             FieldChoice{"area", ""}};
 constexpr std::array kPathKinds{FieldChoice{"simple", ""}, FieldChoice{"cyclic", ""},
                                 FieldChoice{"teleport", ""}};
 constexpr std::array kReaches{FieldChoice{"everybody", ""}, FieldChoice{"selected", ""},
@@ -77,7 +79,11 @@ std::span<const FieldInfo> placeFields()
               {.key = "speedShare",
                .doc = "of a slow place: share of the speed that people would walk with",
                .low = kMinSpeedShare,
-               .high = 1.0}));
+               .high = 1.0}),
+        field(&Place::shape, {.key = "shape",
+                              .doc = "what all of it lies around, no farther off than its radius: "
+                                     "its position, a line along its corners, or what they enclose",
+                              .choices = kShapes}));
     return kFields;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -28,6 +28,13 @@ enum class PlaceRole : std::uint8_t {
     Preferred  ///< ways lead over it where that is not much longer
 };
 
+/// What all of a place lies around, no farther off than its radius.
+enum class PlaceShape : std::uint8_t {
+    Round, ///< its position
+    Line,  ///< the way along its corners: walls, fences, kerbs
+    Area   ///< what its corners enclose
+};
+
 /// A spot with a size on the ground. World frame, metres.
 struct Place
 {
@@ -42,21 +49,16 @@ struct Place
     /// people line up (PlaceChoice::FirstFree and Ahead).
     std::uint32_t capacity = 0;
     float speedShare = 0.5F; ///< Slow: of the speed that people would walk with
+    PlaceShape shape = PlaceShape::Round;
+    std::vector<glm::vec3> corners{}; ///< of a line or an area, in order, from `position`
     friend bool operator==(const Place&, const Place&) = default;
 };
-
-/// So many have room in it where nobody lines up; see Place::capacity.
-[[nodiscard]] inline std::uint32_t roomOf(const Place& place)
-{
-    constexpr float kPeoplePerSquareMetre = 2.0F;
-    const float people = kPeoplePerSquareMetre * 3.14159265F * place.radius * place.radius;
-    return place.capacity != 0 ? place.capacity
-                               : static_cast<std::uint32_t>(std::max(1.0F, people));
-}
 
 inline constexpr float kMinPlaceRadius = 0.05F;
 inline constexpr float kMaxPlaceRadius = 200.0F;
 inline constexpr std::uint32_t kMaxPlaceCapacity = 100'000;
+inline constexpr std::size_t kMostCorners = 1000;
+inline constexpr float kFarthestCorner = 10'000.0F; ///< metres from the position, along each axis
 inline constexpr float kMinSpeedShare = 0.05F;
 
 /// Whether it changes which ways people take, beside what they meet on them.

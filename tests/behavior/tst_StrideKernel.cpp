@@ -85,7 +85,12 @@ void StrideKernelTest::sameBitsOnAnyProcessor()
     aims.z.assign(kPeople + kLanes, -2.0F);
     aims.pace.assign(kPeople + kLanes, 1.3F);
     aims.mode.assign(kPeople + kLanes, static_cast<std::int32_t>(UpdateMode::Continue));
-    const SlowArea slow[] = {{{0.0F, 0.0F}, 3.0F, 0.5F}, {{1.0F, 0.0F}, 5.0F, 0.7F}};
+    model::Place kerb;
+    kerb.position = {2.0F, 0.0F, 2.0F};
+    kerb.shape = model::PlaceShape::Line;
+    kerb.corners = {{-4.0F, 0.0F, 0.0F}, {4.0F, 0.0F, 3.0F}};
+    const SlowArea slow[] = {
+        {{2.0F, 2.0F}, 6.0F, 0.3F, kerb}, {{0.0F, 0.0F}, 3.0F, 0.5F}, {{1.0F, 0.0F}, 5.0F, 0.7F}};
     for (std::size_t kind = 0; kind < 2; ++kind) {
         StrideParameters p = parameters();
         p.hasPlainInstructions = kind == 1;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "behavior/session/Session.h"
 #include "behavior/surface/WalkSurface.h"
 #include "model/base/Parallel.h"
+#include "model/scene/PlaceShape.h"
 #include "tests/behavior/BoxStage.h"
 #include "tests/program/Test.h"
 
@@ -67,6 +69,18 @@ model::Place area(model::PlaceId id, float x, float z, float radius, model::Plac
     return {id, "area", {x, 0.0F, z}, radius, {}, role};
 }
 
+model::Place shape(model::PlaceRole role, model::PlaceShape shape,
+                   const std::vector<glm::vec3>& corners)
+{
+    model::Place place;
+    place.id = 2;
+    place.radius = 0.2F;
+    place.role = role;
+    place.shape = shape;
+    model::setCorners(place, corners);
+    return place;
+}
+
 glm::vec3 shownAt(const Session& session)
 {
     return session.frame()->population.column(model::columns::position)[0];
@@ -100,6 +114,10 @@ private Q_SLOTS:
     void waysLeadAroundForbiddenGround();
     void waysPreferLikedGroundAndAvoidSlow();
     void obstaclesOnOpenGroundAreWalkedAround();
+    void wallsAndFencesAreWalkedAround();
+    void areasOfAnyShapeAreWalkedAround_data();
+    void areasOfAnyShapeAreWalkedAround();
+    void lanesAndLawnsAreOfAnyShape();
     void whoIsInANewObstacleStepsOut_data();
     void whoIsInANewObstacleStepsOut();
     void bodiesAndSlopesAreAsSet();
@@ -402,6 +420,89 @@ void TestWalkSurface::obstaclesOnOpenGroundAreWalkedAround()
         QVERIFY(flatLength(shownAt(session)) > 3.8F);
     }
     QVERIFY(std::abs(shownAt(session).x - 9.0F) < 0.6F);
+}
+
+/// A fence with a bend, up over a slope that nobody else would notice.
+void TestWalkSurface::wallsAndFencesAreWalkedAround()
+{
+    model::Scene scene = walkerFrom({-9.0F, 0.0F, 0.0F}, {9.0F, 0.0F, 0.0F});
+    scene.places.push_back(shape(model::PlaceRole::Obstacle, model::PlaceShape::Line,
+                                 {{-2.0F, 0.0F, -7.0F}, {1.0F, 0.0F, 0.0F}, {-2.0F, 0.0F, 5.0F}}));
+    Session session(scene);
+    session.setSurface(surfaceOf(scene));
+    float side = 0.0F;
+    for (int step = 0; step < 30 * 30; ++step) {
+        session.step();
+        const glm::vec3 at = shownAt(session);
+        QVERIFY2(!model::isWithin(scene.places.back(), at),
+                 qPrintable(QStringLiteral("%1 %2").arg(at.x).arg(at.z)));
+        side = std::max(side, at.z);
+    }
+    QVERIFY2(side > 5.0F && side < 7.0F, QByteArray::number(static_cast<double>(side)));
+    QVERIFY(std::abs(shownAt(session).x - 9.0F) < 0.6F);
+}
+
+void TestWalkSurface::areasOfAnyShapeAreWalkedAround_data()
+{
+    QTest::addColumn<bool>("isReversed");
+    QTest::newRow("clockwise") << false;
+    QTest::newRow("the other way round") << true;
+}
+
+/// A U, open to where he comes from: he does not go into it.
+void TestWalkSurface::areasOfAnyShapeAreWalkedAround()
+{
+    QFETCH(const bool, isReversed);
+    std::vector<glm::vec3> corners{{-3, 0, -4}, {3, 0, -4}, {3, 0, 4},  {-3, 0, 4},
+                                   {-3, 0, 3},  {2, 0, 3},  {2, 0, -3}, {-3, 0, -3}};
+    if (isReversed) {
+        std::ranges::reverse(corners);
+    }
+    model::Scene scene = walkerFrom({-9.0F, 0.0F, 0.0F}, {9.0F, 0.0F, 0.0F});
+    scene.places.push_back(shape(model::PlaceRole::Obstacle, model::PlaceShape::Area, corners));
+    const auto surface = surfaceOf(scene);
+    QVERIFY(surface->isWalkable({0.0F, 0.0F, 0.0F})); // within its arms
+    QVERIFY(!surface->isWalkable({0.0F, 0.0F, 3.5F}));
+    Session session(scene);
+    session.setSurface(surface);
+    for (int step = 0; step < 30 * 25; ++step) {
+        session.step();
+        QVERIFY(!model::isEnclosed(model::cornersOf(scene.places.back()),
+                                   {shownAt(session).x, shownAt(session).z}));
+    }
+    QVERIFY(std::abs(shownAt(session).x - 9.0F) < 0.6F);
+}
+
+void TestWalkSurface::lanesAndLawnsAreOfAnyShape()
+{
+    // Forbidden: around it.
+    model::Scene scene = walkerFrom({-9.0F, 0.0F, 0.0F}, {9.0F, 0.0F, 0.0F});
+    scene.places.push_back(shape(model::PlaceRole::Forbidden, model::PlaceShape::Area,
+                                 {{-3, 0, -3}, {3, 0, -3}, {3, 0, 6}, {-3, 0, 6}}));
+    float least = 0.0F;
+    for (const glm::vec2& corner : surfaceOf(scene)->way({-9.0F, 0.0F, 0.0F}, {9.0F, 0.0F, 0.0F})) {
+        least = std::min(least, corner.y);
+    }
+    QVERIFY2(least < -2.9F, QByteArray::number(static_cast<double>(least)));
+    // Slow: only on it.
+    scene = walkerFrom({-6.0F, 0.0F, 0.0F}, {9.0F, 0.0F, 0.0F});
+    scene.places.push_back(shape(model::PlaceRole::Slow, model::PlaceShape::Line,
+                                 {{0.0F, 0.0F, -30.0F}, {0.0F, 0.0F, 30.0F}}));
+    scene.places.back().radius = 1.0F;
+    scene.places.back().speedShare = 0.25F;
+    Session session(scene);
+    int slow = 0;
+    int usual = 0;
+    for (int step = 0; step < 30 * 14; ++step) {
+        const float before = shownAt(session).x;
+        session.step();
+        const float metres = 30.0F * (shownAt(session).x - before);
+        const float off = std::abs(shownAt(session).x);
+        slow += off < 0.7F && metres < 0.6F ? 1 : 0;
+        usual += off > 2.0F && metres > 1.0F ? 1 : 0;
+    }
+    QVERIFY2(slow > 60, QByteArray::number(slow));
+    QVERIFY2(usual > 60, QByteArray::number(usual));
 }
 
 void TestWalkSurface::whoIsInANewObstacleStepsOut_data()

@@ -48,6 +48,7 @@ crowd_add_tests(ROOM model
     tst_Message
     tst_Neighbours
     tst_PickScene
+    tst_PlaceShape
     tst_Population
     tst_Pose
     tst_ProjectFile

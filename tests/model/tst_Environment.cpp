@@ -94,9 +94,15 @@ void furnish(SceneDocument& document)
     full.role = PlaceRole::Slow;
     full.speedShare = 0.25F;
     edit->changePlace(full);
+    Place lawn = *edit->scene().findPlace(c);
+    lawn.shape = PlaceShape::Area;
+    lawn.corners = {{0.0F, 0.5F, 0.0F}, {2.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 2.25F}};
+    edit->changePlace(lawn);
     edit->setTags({{0, "brave", {9, 8, 7}}, {63, "late", {1, 1, 1}}});
     edit->commit(QStringLiteral("Furnish"));
 }
+
+using Change = void (*)(Place&);
 
 std::string fileWith(const std::string& members)
 {
@@ -113,6 +119,8 @@ class TestEnvironment : public QObject
 private Q_SLOTS:
     void savingKeepsEverything();
     void undoAndRedoRestoreIdenticalBytes();
+    void everyMemberOfAPlaceIsAStep_data();
+    void everyMemberOfAPlaceIsAStep();
     void stepsAreKnownWhenTheyAreAnnounced();
     void filesFromBeforeHaveNone();
     void aRemovedPlaceLeavesItsPaths();
@@ -175,6 +183,42 @@ void TestEnvironment::undoAndRedoRestoreIdenticalBytes()
 }
 
 /// Who hears that rules have changed, as undo and redo tell it, finds the steps of now.
+void TestEnvironment::everyMemberOfAPlaceIsAStep_data()
+{
+    QTest::addColumn<Change>("change");
+    const auto row = [](const char* name, Change change) { QTest::newRow(name) << change; };
+    row("name", [](Place& place) { place.name += "x"; });
+    row("position", [](Place& place) { place.position.y += 1.0F; });
+    row("radius", [](Place& place) { place.radius += 1.0F; });
+    row("colour", [](Place& place) { place.color[1] ^= 1U; });
+    row("role", [](Place& place) { place.role = PlaceRole::Exit; });
+    row("capacity", [](Place& place) { place.capacity += 1; });
+    row("speed", [](Place& place) { place.speedShare = 0.75F; });
+    row("shape", [](Place& place) { place.shape = PlaceShape::Line; });
+    row("a corner", [](Place& place) { place.corners[1].z += 0.5F; });
+    row("one corner more", [](Place& place) { place.corners.emplace_back(1.0F); });
+    row("what a newer version says", [](Place& place) { place.unknownMembers = R"({"x":1})"; });
+}
+
+void TestEnvironment::everyMemberOfAPlaceIsAStep()
+{
+    QFETCH(const Change, change);
+    SceneDocument document;
+    furnish(document);
+    Place place = document.scene().places.back();
+    QVERIFY(!place.corners.empty());
+    const std::string before = projectText(document.scene());
+    const std::size_t bytes = document.undoMemory().bytes();
+    change(place);
+    document.edit(QStringLiteral("Change"), [&](SceneEdit& edit) { edit.changePlace(place); });
+    QCOMPARE(document.undoStack().count(), 2);
+    QVERIFY(projectText(document.scene()) != before);
+    QVERIFY(document.undoMemory().bytes() >=
+            bytes + sizeof(glm::vec3) * document.scene().places.back().corners.size());
+    document.undoStack().undo();
+    QCOMPARE(projectText(document.scene()), before);
+}
+
 void TestEnvironment::stepsAreKnownWhenTheyAreAnnounced()
 {
     SceneDocument document;
@@ -290,6 +334,26 @@ void TestEnvironment::refusesWhatIsWrong_data()
         "places[0].role must be one of: spot, obstacle");
     row("a colour that is none", R"("places": [{"id": 1, "position": [0,0,0], "color": "red"}],)",
         "places[0].color must be a colour");
+    row("a line of one corner",
+        R"("places": [{"id": 1, "position": [0,0,0], "shape": "line", "corners": [[0,0,0]]}],)",
+        "places[0].corners must be a list of [x, y, z]");
+    row("an area of two corners",
+        R"("places": [{"id": 1, "position": [0,0,0], "shape": "area",
+                       "corners": [[0,0,0], [1,0,0]]}],)",
+        "places[0].corners must be a list of [x, y, z]");
+    row("a corner that is none",
+        R"("places": [{"id": 1, "position": [0,0,0], "shape": "line",
+                       "corners": [[0,0,0], [1,0], [2,0,0]]}],)",
+        "places[0].corners must be a list of [x, y, z]");
+    row("a corner beyond all bounds",
+        R"("places": [{"id": 1, "position": [0,0,0], "shape": "line",
+                       "corners": [[0,0,0], [1e30,0,0]]}],)",
+        "none farther off than 10000");
+    row("corners that are no list",
+        R"("places": [{"id": 1, "position": [0,0,0], "corners": "x"}],)",
+        "places[0].corners must be a list of [x, y, z]");
+    row("an unknown shape", R"("places": [{"id": 1, "position": [0,0,0], "shape": "x"}],)",
+        "places[0].shape must be one of: round, line, area");
     row("a path over a place that is not there", R"("paths": [{"id": 3, "places": [9]}],)",
         "names the place 9, which is not there");
     row("a path with names for places", R"("paths": [{"id": 3, "places": ["a"]}],)",

@@ -64,6 +64,22 @@ class Entries(unittest.TestCase):
         self.assertEqual(json.loads(json.dumps(place)), place.to_dict())
         self.assertIs(type(place.to_dict()), dict)
 
+    def test_places_are_lines_and_areas(self):
+        scene = crowdbrush.Scene()
+        wall = Place(id=1, position=(0, 0, 0), role="obstacle", shape="line", radius=0.2,
+                     corners=[(-3, 0, 0), (3, 0.5, 0), (3, 0.5, 4)])
+        with scene.edit("Wall"):
+            scene.places = [wall]
+        self.assertEqual(scene.places[0].corners, [[-3, 0, 0], [3, 0.5, 0], [3, 0.5, 4]])
+        self.assertEqual((scene.places[0].shape, Place(id=1, position=(0, 0, 0)).corners), ("line", []))
+        for corners in ([(0, 0, 0)], [(0, 0, 0), (1e9, 0, 0)], []):
+            with self.assertRaisesRegex(crowdbrush.Error, "corners must be a list of"):
+                scene.places = [Place(id=1, position=(0, 0, 0), shape="line", corners=corners)]
+        for corners in ([(0, 0)], "ab", [1, 2], [(0, 0, float("nan"))]):
+            with self.assertRaisesRegex(crowdbrush.Error, "corners"):
+                Place(id=1, position=(0, 0, 0), shape="line", corners=corners)
+        self.assertEqual(len(scene.places[0].corners), 3)
+
     def test_reads_as_what_makes_it(self):
         rule = Rule(id=1, when=triggers.Event(event="bell"), if_=[conditions.Chance(chance=0.25, not_=True)],
                     do=[actions.Repeat(times=3), actions.Play(clips={"wave": 2, "clap": 1}, depth=1)])

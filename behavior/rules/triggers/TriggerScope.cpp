@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "behavior/motion/TravelEvents.h"
+#include "model/scene/PlaceShape.h"
 
 namespace crowd::behavior {
 
@@ -11,7 +12,7 @@ bool isInPlace(const RuleScope& scope, std::uint32_t agent, model::PlaceId place
 {
     const glm::vec3 at = scope.host.position(agent);
     return std::ranges::any_of(scope.state.places.places(), [&](const model::Place& each) {
-        return (place == 0 || each.id == place) && flatDistance(each.position, at) <= each.radius;
+        return (place == 0 || each.id == place) && model::isWithin(each, at);
     });
 }
 
