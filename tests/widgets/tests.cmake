@@ -35,6 +35,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_RulePanel
     tst_RulesList
     tst_SelectTool
+    tst_ShapeTools
     tst_StatesDock
     tst_StrokesDock
     tst_TimelineDock

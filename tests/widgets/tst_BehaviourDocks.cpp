@@ -5,9 +5,11 @@
 #include <QtCore/QStandardPaths>
 #include <QtCore/QTimer>
 #include <QtGui/QShortcut>
+#include <QtGui/QStandardItemModel>
 #include <QtWidgets/QAbstractSpinBox>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QScrollArea>
@@ -17,6 +19,7 @@
 
 #include "model/document/PathEdits.h"
 #include "model/document/SceneEdit.h"
+#include "model/scene/PlaceShape.h"
 #include "model/states/StateKeeping.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
@@ -85,6 +88,7 @@ private Q_SLOTS:
     void tagsAreWrittenByName();
     void branchesAreAddedWeighedAndRemoved();
     void roomSpeedAndSurfaceAreEdited();
+    void linesBecomeAreas();
     void theTreeShowsWhatWasJustMade();
     void whileItRunsTheRunIsCounted();
     void namesOfBranchesCanBeRead();
@@ -498,6 +502,39 @@ void TestBehaviourDocks::branchesAreAddedWeighedAndRemoved()
     desk.document.undoStack().undo();
     QVERIFY(scene.findPath(1)->branches.empty());
     QTRY_COMPARE(desk.all<QDoubleSpinBox>().size(), 0);
+}
+
+void TestBehaviourDocks::linesBecomeAreas()
+{
+    Desk<EnvironmentDock> desk;
+    QVERIFY(desk.isReady());
+    furnish(desk.document);
+    auto edit = desk.document.beginEdit().value();
+    model::Place fence;
+    fence.shape = model::PlaceShape::Line;
+    model::setCorners(fence, std::vector<glm::vec3>{{0, 0, 0}, {4, 0, 0}, {4, 0, 3}});
+    const model::PlaceId id = edit->addPlace(fence);
+    edit->commit(QStringLiteral("Fence"));
+    auto* shape = desk.dock->findChild<QComboBox*>(QStringLiteral("placeShape"));
+    desk.state.paths().select({2});
+    QTRY_VERIFY(desk.dock->findChild<NumberField*>(QStringLiteral("placeRadius"))->isVisible());
+    QVERIFY(!shape->isVisible()); // a round one has no corners
+    desk.state.paths().select({id});
+    QTRY_VERIFY(shape->isVisible());
+    QCOMPARE(shape->currentIndex(), static_cast<int>(model::PlaceShape::Line));
+    Q_EMIT shape->activated(static_cast<int>(model::PlaceShape::Area));
+    QCOMPARE(desk.document.scene().findPlace(id)->shape, model::PlaceShape::Area);
+    auto* facts = desk.dock->findChild<QLabel*>(QStringLiteral("placeShapeFacts"));
+    QTRY_VERIFY2(facts->text().contains(QStringLiteral("3 corner")), qPrintable(facts->text()));
+    desk.document.undoStack().undo();
+    QCOMPARE(desk.document.scene().findPlace(id)->shape, model::PlaceShape::Line);
+    model::Place wall = *desk.document.scene().findPlace(id);
+    wall.corners.pop_back();
+    desk.document.edit(QStringLiteral("Shorter"),
+                       [&](model::SceneEdit& each) { each.changePlace(wall); });
+    const auto* offered = qobject_cast<QStandardItemModel*>(shape->model());
+    QTRY_VERIFY(!offered->item(static_cast<int>(model::PlaceShape::Area))->isEnabled());
+    QVERIFY(offered->item(static_cast<int>(model::PlaceShape::Round))->isEnabled());
 }
 
 void TestBehaviourDocks::roomSpeedAndSurfaceAreEdited()

@@ -5,7 +5,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "behavior/surface/WalkSurface.h"
 #include "model/pick/StageRays.h"
+#include "model/scene/PlaceShape.h"
 #include "tests/program/Test.h"
 #include "widgets/viewport/PathDrawing.h"
 #include "widgets/viewport/PathLabels.h"
@@ -94,6 +96,9 @@ private Q_SLOTS:
     void branchOfASharedPlaceShowsTheWayOn();
     void currentPathHasABorder();
     void selectedPlaceHasARing();
+    void theWayAroundIsShown();
+    void areasCoverWhatTheyEnclose();
+    void linesAreAsWideAsTheyAre();
     void changesGiveAnotherVersion();
 
 private:
@@ -298,6 +303,74 @@ void TestPathDrawing::selectedPlaceHasARing()
     QCOMPARE(std::ranges::count_if(areas(), outside), 0);
     m_state->paths().select({1});
     QVERIFY(std::ranges::count_if(areas(), outside) > 40);
+}
+
+/// As soon as it is known, and only where it is not straight on.
+void TestPathDrawing::theWayAroundIsShown()
+{
+    model::Place pond = placeAt(3, {0.0F, 0.0F, -40.0F}, 4.0F);
+    pond.role = model::PlaceRole::Obstacle;
+    pond.color = kBlue;
+    const auto farthestAside = [this] {
+        float aside = 0.0F;
+        for (const render::OverlayTriangle& area : areas()) {
+            for (const glm::vec3& corner : area.corners) {
+                aside = std::max(aside, hasColor(area, kBlue) ? 0.0F : std::abs(corner.z + 40.0F));
+            }
+        }
+        return aside;
+    };
+    const model::Place west = placeAt(1, {-9.0F, 0.0F, -40.0F});
+    const model::Place east = placeAt(2, {9.0F, 0.0F, -40.0F});
+    show({west, east, pond}, {pathOver(1, {1, 2}, kOrange)});
+    QVERIFY(farthestAside() < 1.5F); // nobody knows yet
+    QTRY_VERIFY(m_state->session().surface() != nullptr);
+    QVERIFY2(farthestAside() > 4.2F && farthestAside() < 6.0F,
+             QByteArray::number(static_cast<double>(farthestAside())));
+    pond.position.z = -60.0F;
+    show({west, east, pond}, {pathOver(1, {1, 2}, kOrange)});
+    QTRY_VERIFY(m_state->session().surface() != nullptr);
+    QVERIFY(farthestAside() < 1.5F);
+}
+
+/// Seen from above, of those of a colour that lets the ground shine through.
+float filledMetres(std::span<const render::OverlayTriangle> areas)
+{
+    float sum = 0.0F;
+    for (const render::OverlayTriangle& area : areas) {
+        const glm::vec3 normal =
+            glm::cross(area.corners[1] - area.corners[0], area.corners[2] - area.corners[0]);
+        sum += area.color.a < 1.0F ? 0.5F * std::abs(normal.y) : 0.0F;
+    }
+    return sum;
+}
+
+void TestPathDrawing::areasCoverWhatTheyEnclose()
+{
+    model::Place bend = placeAt(1, {}, 0.05F);
+    bend.role = model::PlaceRole::Forbidden;
+    bend.shape = model::PlaceShape::Area;
+    model::setCorners(bend,
+                      std::vector<glm::vec3>{
+                          {-8, 0, 2}, {2, 0, 2}, {2, 0, 4}, {-6, 0, 4}, {-6, 0, 8}, {-8, 0, 8}});
+    show({bend}, {});
+    QVERIFY2(std::abs(filledMetres(areas()) - 28.0F) < 0.1F,
+             QByteArray::number(static_cast<double>(filledMetres(areas()))));
+    m_state->paths().select({1});
+    int bright = 0;
+    for (const render::OverlayTriangle& area : areas()) {
+        bright += area.color.g > 0.7F ? 1 : 0;
+    }
+    QVERIFY(bright > 6 * 2); // its sides and corners
+}
+
+void TestPathDrawing::linesAreAsWideAsTheyAre()
+{
+    model::Place wall = placeAt(1, {}, 0.5F);
+    wall.shape = model::PlaceShape::Line;
+    model::setCorners(wall, std::vector<glm::vec3>{{-8, 0, 5}, {2, 0, 5}});
+    show({wall}, {});
+    QVERIFY(std::abs(filledMetres(areas()) - 10.0F - 2.0F * 0.785F) < 0.1F);
 }
 
 void TestPathDrawing::changesGiveAnotherVersion()

@@ -9,6 +9,7 @@
 #include <QtCore/QCoreApplication>
 
 #include "model/document/SceneEdit.h"
+#include "model/scene/PlaceShape.h"
 #include "widgets/state/ShownLook.h"
 
 namespace crowd::widgets {
@@ -133,8 +134,13 @@ Camera overview(const model::Scene& scene, const Camera& camera)
 
 void addPlace(Bounds& bounds, const model::Place& place)
 {
-    bounds.add(place.position - glm::vec3(place.radius, 0.0F, place.radius));
-    bounds.add(place.position + glm::vec3(place.radius, 0.0F, place.radius));
+    const glm::vec3 aside(place.radius, 0.0F, place.radius);
+    bounds.add(place.position - aside);
+    bounds.add(place.position + aside);
+    for (const glm::vec3& corner : model::cornersOf(place)) {
+        bounds.add(corner - aside);
+        bounds.add(corner + aside);
+    }
 }
 
 } // namespace

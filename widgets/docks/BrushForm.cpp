@@ -153,10 +153,10 @@ FieldForm* brushForm(EditorState& state, const BrushTarget& brush, EditorState* 
     if (kind == BrushKind::Script) {
         addScriptFields(*form, state);
     }
-    form->addField(commonField("mask"), {}, {});
     if (*type.info.note != '\0') {
-        form->addNote(fieldText(type.info.note));
+        form->addNote(fieldText(type.info.note)); // else it stands under a mask that has no fields
     }
+    form->addField(commonField("mask"), {}, {});
     form->finish();
     return form;
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <QtCore/QLocale>
+#include <QtGui/QStandardItemModel>
 #include <QtWidgets/QColorDialog>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QFormLayout>
@@ -14,6 +16,7 @@
 
 #include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
+#include "model/scene/PlaceShape.h"
 #include "widgets/docks/BranchList.h"
 #include "widgets/docks/EnvironmentTree.h"
 #include "widgets/docks/SurfaceForm.h"
@@ -136,6 +139,7 @@ void EnvironmentDock::buildPlaceRows()
     }
     m_form->addRow(tr("X, Y, Z, m"), m_positionRow);
     buildSizeRow();
+    buildShapeRow();
     m_role = new QComboBox(this);
     m_role->setObjectName(QStringLiteral("placeRole"));
     m_role->addItems(placeRoleNames());
@@ -183,7 +187,54 @@ void EnvironmentDock::buildSizeRow()
     m_sizeRow->addWidget(m_radius, 1);
     m_sizeRow->addWidget(label);
     m_sizeRow->addWidget(m_capacity, 1);
-    m_form->addRow(tr("Radius, m"), m_sizeRow);
+    m_sizeLabel = new QLabel(tr("Radius, m"), this);
+    m_sizeLabel->setBuddy(m_radius);
+    m_form->addRow(m_sizeLabel, m_sizeRow);
+}
+
+void EnvironmentDock::buildShapeRow()
+{
+    m_shape = new QComboBox(this);
+    m_shape->setObjectName(QStringLiteral("placeShape"));
+    for (const model::FieldChoice& choice : model::kPlaceShapes) {
+        m_shape->addItem(fieldText(choice.label));
+        m_shape->setItemData(m_shape->count() - 1, fieldText(choice.tip), Qt::ToolTipRole);
+    }
+    m_shapeFacts = new QLabel(this);
+    m_shapeFacts->setObjectName(QStringLiteral("placeShapeFacts"));
+    m_shapeFacts->setMinimumWidth(1);
+    m_shapeRow = new QHBoxLayout;
+    m_shapeRow->addWidget(m_shape);
+    m_shapeRow->addWidget(m_shapeFacts, 1);
+    m_form->addRow(tr("Shape"), m_shapeRow);
+    connect(m_shape, &QComboBox::activated, this, [this](int index) {
+        changePlace(tr("Change the shape of a place"), [&](model::Place& each) {
+            model::Place changed = each;
+            changed.shape = static_cast<model::PlaceShape>(index);
+            each = model::isWhole(changed) ? changed : each; // others may have fewer corners
+        });
+    });
+}
+
+/// A round one has no corners that it could be anything else over, unless it had some before.
+void EnvironmentDock::showShape(const model::Place& place)
+{
+    m_form->setRowVisible(m_shapeRow, !place.corners.empty());
+    m_shape->setCurrentIndex(static_cast<int>(place.shape));
+    for (int i = 0; i < m_shape->count(); ++i) {
+        model::Place other = place;
+        other.shape = static_cast<model::PlaceShape>(i);
+        qobject_cast<QStandardItemModel*>(m_shape->model())
+            ->item(i)
+            ->setEnabled(model::isWhole(other));
+    }
+    m_shapeFacts->setText(
+        tr("%n corner(s), %1 m²", nullptr, static_cast<int>(place.corners.size()))
+            .arg(QLocale().toString(static_cast<double>(model::areaOf(place)), 'f', 1)));
+    const bool isLine = place.shape == model::PlaceShape::Line;
+    m_sizeLabel->setText(isLine                                   ? tr("Half width, m")
+                         : place.shape == model::PlaceShape::Area ? tr("Beyond its sides, m")
+                                                                  : tr("Radius, m"));
 }
 
 void EnvironmentDock::buildPathRows()
@@ -248,6 +299,7 @@ void EnvironmentDock::refreshForm()
     m_form->setRowVisible(m_nameRow, hasAny);
     m_form->setRowVisible(m_positionRow, shownPlace != nullptr);
     m_form->setRowVisible(m_sizeRow, shownPlace != nullptr);
+    m_form->setRowVisible(m_shapeRow, false);
     m_form->setRowVisible(m_role, shownPlace != nullptr);
     m_form->setRowVisible(m_speedShare,
                           shownPlace != nullptr && shownPlace->role == model::PlaceRole::Slow);
@@ -263,6 +315,7 @@ void EnvironmentDock::refreshForm()
         m_radius->setValue(static_cast<double>(shownPlace->radius));
         m_capacity->setValue(static_cast<double>(shownPlace->capacity));
         m_role->setCurrentIndex(static_cast<int>(shownPlace->role));
+        showShape(*shownPlace);
         m_speedShare->setValue(static_cast<double>(shownPlace->speedShare) * 100.0);
     } else if (shownPath != nullptr) {
         m_name->setText(QString::fromStdString(shownPath->name));

@@ -37,6 +37,8 @@ private:
     void buildNameRow();
     void buildPlaceRows();
     void buildSizeRow();
+    void buildShapeRow();
+    void showShape(const model::Place& place);
     void buildPathRows();
     void refreshForm();
     void showProblem();
@@ -58,6 +60,9 @@ private:
     NumberField* m_capacity;
     NumberField* m_speedShare;
     QComboBox* m_role;
+    QComboBox* m_shape;
+    QLabel* m_shapeFacts;
+    QLabel* m_sizeLabel;
     QComboBox* m_kind;
     QToolButton* m_color;
     QLabel* m_problem;
@@ -68,6 +73,7 @@ private:
     QHBoxLayout* m_nameRow;
     QHBoxLayout* m_positionRow;
     QHBoxLayout* m_sizeRow;
+    QHBoxLayout* m_shapeRow;
     bool m_isFilling = false;
 };
 

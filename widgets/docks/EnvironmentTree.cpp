@@ -11,6 +11,7 @@
 
 #include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
+#include "model/scene/PlaceShape.h"
 #include "widgets/docks/DockBase.h"
 #include "widgets/docks/EnvironmentMenu.h"
 #include "widgets/state/SceneChanges.h"
@@ -194,6 +195,23 @@ behavior::SessionTally EnvironmentTree::tally() const
     return tally;
 }
 
+/// The radius of a disc, the length of a line, how much ground an area takes up.
+QString EnvironmentTree::sizeText(const model::Place& place)
+{
+    const auto number = [](float value, int decimals) {
+        return QLocale().toString(static_cast<double>(value), 'f', decimals);
+    };
+    switch (place.shape) {
+    case model::PlaceShape::Round:
+        break;
+    case model::PlaceShape::Line:
+        return tr("%1 m long").arg(number(model::lengthOf(place), 1));
+    case model::PlaceShape::Area:
+        return tr("%1 m²").arg(number(model::areaOf(place), 1));
+    }
+    return tr("%1 m").arg(number(place.radius, 2));
+}
+
 void EnvironmentTree::showCounts()
 {
     m_tally = tally();
@@ -207,10 +225,9 @@ void EnvironmentTree::showCounts()
         if ((*it)->type() == PathItem) {
             (*it)->setText(1, tr("%n characters", nullptr, countIn(m_tally.followers, id)));
         } else if (const model::Place* place = m_state.scene().findPlace(id)) {
-            const QString radius = QLocale().toString(static_cast<double>(place->radius), 'f', 2);
+            const QString size = sizeText(*place);
             const int inside = countIn(m_tally.inside, id);
-            (*it)->setText(1, inside > 0 ? tr("%n in it · %1 m", nullptr, inside).arg(radius)
-                                         : tr("%1 m").arg(radius));
+            (*it)->setText(1, inside > 0 ? tr("%n in it · %1", nullptr, inside).arg(size) : size);
         }
     }
     m_isFilling = false;

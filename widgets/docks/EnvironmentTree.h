@@ -65,6 +65,7 @@ private:
     static QTreeWidgetItem* addPlace(QTreeWidgetItem& parent, const model::Place& place);
     [[nodiscard]] behavior::SessionTally tally() const;
     void showCounts();
+    [[nodiscard]] static QString sizeText(const model::Place& place);
     void showSelection();
     void takeSelection();
     [[nodiscard]] QString problemOf(const QTreeWidgetItem& item) const;

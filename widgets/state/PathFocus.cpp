@@ -32,8 +32,17 @@ void PathFocus::look(model::PathId path)
 
 void PathFocus::end()
 {
-    if (m_isPainting) {
+    if (m_isPainting || m_shaped != 0) {
         m_isPainting = false;
+        m_shaped = 0;
+        Q_EMIT changed();
+    }
+}
+
+void PathFocus::shape(model::PlaceId place)
+{
+    if (m_shaped != place) {
+        m_shaped = place;
         Q_EMIT changed();
     }
 }
@@ -76,7 +85,9 @@ void PathFocus::follow(const model::SceneChange& change)
         m_path = 0;
         m_isPainting = false;
     }
-    if (isPathGone || places != m_places) {
+    const bool isShapedGone = m_shaped != 0 && m_document.scene().findPlace(m_shaped) == nullptr;
+    m_shaped = isShapedGone ? 0 : m_shaped;
+    if (isPathGone || isShapedGone || places != m_places) {
         m_places = std::move(places);
         Q_EMIT changed();
     }

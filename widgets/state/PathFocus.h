@@ -9,9 +9,9 @@
 
 namespace crowd::widgets {
 
-/// Which path is being painted or looked at, and which places are selected, in the order in which
-/// they were chosen. Follows the document: what vanishes is dropped. Not an edit; cannot be undone.
-/// Main thread; the document outlives it.
+/// Which path is being painted or looked at, which place is being drawn, and which are selected, in
+/// the order in which they were chosen. Follows the document: what vanishes is dropped. Not an
+/// edit; cannot be undone. Main thread; the document outlives it.
 class PathFocus : public QObject
 {
     Q_OBJECT
@@ -25,7 +25,10 @@ public:
     [[nodiscard]] bool isPainting() const { return m_isPainting; }
     void paint(model::PathId path); ///< extend it from now on
     void look(model::PathId path);  ///< highlight it
-    /// The next place begins another path.
+    /// The place that the next corner goes to; 0: that begins another one.
+    [[nodiscard]] model::PlaceId shaped() const { return m_shaped; }
+    void shape(model::PlaceId place);
+    /// The next place begins another path, the next corner another place.
     void end();
 
     [[nodiscard]] const std::vector<model::PlaceId>& places() const { return m_places; }
@@ -42,6 +45,7 @@ private:
     model::SceneDocument& m_document;
     model::PathId m_path = 0;
     bool m_isPainting = false;
+    model::PlaceId m_shaped = 0;
     std::vector<model::PlaceId> m_places;
 };
 

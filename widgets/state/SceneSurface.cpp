@@ -28,6 +28,13 @@ bool hasWalks(const model::Scene& scene)
     });
 }
 
+/// Whether there is a way to be shown.
+bool hasLegs(const model::Scene& scene)
+{
+    return std::ranges::any_of(scene.paths,
+                               [](const model::Path& path) { return path.places.size() > 1; });
+}
+
 /// Whether it is more than open ground.
 bool isGroundOfInterest(const model::Scene& scene)
 {
@@ -54,10 +61,15 @@ SceneSurface::SceneSurface(model::SceneDocument& document, QObject* parent)
 void SceneSurface::followScene(const model::SceneChange& change)
 {
     visitChange(
-        change, [this](const model::StagesChanged&) { forget(); },
+        change,
+        [this](const model::StagesChanged&) {
+            forget();
+            m_ways.start();
+        },
         [this](const model::SceneReplaced&) {
             forget();
             m_plan = {}; // it holds the stages
+            m_ways.start();
         },
         [this](const model::PathsChanged&) { m_ways.start(); });
 }
@@ -75,8 +87,10 @@ void SceneSurface::forget()
 /// Areas or the settings of the surface are others now.
 void SceneSurface::followWays()
 {
-    if (!m_isStale && !behavior::SurfacePlan::of(m_document.scene()).hasSameWays(m_plan)) {
-        m_isStale = true;
+    const model::Scene& scene = m_document.scene();
+    const bool isOutdated = !m_isStale && !behavior::SurfacePlan::of(scene).hasSameWays(m_plan);
+    m_isStale = m_isStale || isOutdated;
+    if (isOutdated || (m_isStale && hasLegs(scene))) {
         (void)isReady();
     }
 }
@@ -84,10 +98,11 @@ void SceneSurface::followWays()
 bool SceneSurface::isReady()
 {
     const model::Scene& scene = m_document.scene();
-    const bool isNeeded = hasWalks(scene) && isGroundOfInterest(scene);
-    if (m_isStale && isNeeded) {
+    const bool isOfInterest = isGroundOfInterest(scene);
+    const bool isNeeded = hasWalks(scene) && isOfInterest;
+    if (m_isStale && (isNeeded || (hasLegs(scene) && isOfInterest))) {
         build();
-    } else if (m_isStale && m_current && !isGroundOfInterest(scene)) {
+    } else if (m_isStale && m_current && !isOfInterest) {
         m_builder.cancel();
         m_current.reset(); // the last area is gone, and there is no stage
         m_plan = {};

@@ -14,9 +14,9 @@
 
 namespace crowd::widgets {
 
-/// What can be walked on in the document's scene: found in the background where somebody may walk
-/// and it is more than open ground, and anew when stages or areas change. Main thread; the document
-/// outlives it.
+/// What can be walked on in the document's scene: found in the background where somebody may walk,
+/// or a path is to be shown, and it is more than open ground, and anew when stages or areas change.
+/// Main thread; the document outlives it.
 class SceneSurface : public QObject
 {
     Q_OBJECT

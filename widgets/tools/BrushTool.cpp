@@ -216,7 +216,7 @@ BrushSettings resizedBySteps(const BrushSettings& settings, double steps, bool i
 {
     const double share = isFine ? 0.03 : 0.12;
     if (settings.addsPlaces()) {
-        return settings.withMainNumber(settings.place()->radiusMetres * (1.0 + share * steps));
+        return settings.withMainNumber(settings.mainNumber().value * (1.0 + share * steps));
     }
     const double pixels = std::max(1.0, std::round(settings.radiusPixels * share));
     return settings.resized(static_cast<float>(pixels * steps));

@@ -15,6 +15,7 @@
 #include "model/document/SceneEdit.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/tools/BrushTool.h"
+#include "widgets/tools/PlaceCorners.h"
 
 namespace crowd::widgets {
 
@@ -238,6 +239,7 @@ std::optional<PlaceHit> placeAt(const ToolContext& context, const QPointF& pixel
     std::optional<PlaceHit> border;
     double nearest = kMiddlePixels;
     std::optional<PlaceHit> middle;
+    std::optional<PlaceHit> corner;
     for (const model::Place& place : context.state.scene().places) {
         const auto center = view.project(place.position);
         if (!center) {
@@ -246,14 +248,20 @@ std::optional<PlaceHit> placeAt(const ToolContext& context, const QPointF& pixel
         const double away = QLineF(pixel, QPointF(center->x, center->y)).length();
         if (away < nearest) {
             nearest = away;
-            middle = PlaceHit{place.id, false};
+            middle = PlaceHit{place.id};
         }
-        if (!border && !middle &&
-            distanceTo(placeOutline(view, place.position, place.radius), pixel) < kBorderPixels) {
+        const auto shape = shapeAt(view, place, pixel);
+        if (shape && shape->corner) {
+            corner = shape;
+        } else if (!border && shape) {
+            border = shape;
+        } else if (!border && place.shape == model::PlaceShape::Round &&
+                   distanceTo(placeOutline(view, place.position, place.radius), pixel) <
+                       kBorderPixels) {
             border = PlaceHit{place.id, true};
         }
     }
-    return middle ? middle : border;
+    return corner ? corner : middle ? middle : border;
 }
 
 namespace {
@@ -346,12 +354,18 @@ void endPath(EditorState& state)
                                   }
                               });
     }
+    const model::Place* post = state.scene().findPlace(state.paths().shaped());
+    if (post != nullptr && post->corners.empty()) {
+        state.document().edit(PlaceHandlesText::tr("Take back a single corner"),
+                              [id = post->id](model::SceneEdit& edit) { edit.removePlace(id); });
+    }
     state.paths().end();
 }
 
 DragSessionPtr placeDrag(const ToolContext& context, const ToolInput& press, const PlaceHit& hit)
 {
-    return std::make_unique<PlaceDrag>(context, press, hit);
+    return hit.corner ? cornerDrag(context, press, hit)
+                      : std::make_unique<PlaceDrag>(context, press, hit);
 }
 
 std::optional<glm::vec3> groundUnder(const ToolContext& context, const ToolInput& input)

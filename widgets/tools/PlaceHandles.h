@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include <QtCore/QPointF>
@@ -15,13 +16,14 @@ namespace crowd::widgets {
 struct PlaceHit
 {
     model::PlaceId place = 0;
-    bool isBorder = false; ///< its circle: dragging it changes the size
+    bool isBorder = false;                            ///< its circle: dragging it changes the size
+    std::optional<std::size_t> corner = std::nullopt; ///< of a line or an area
 };
 
 /// The circle of a place on screen, closed; empty where it is behind the camera.
 [[nodiscard]] QPolygonF placeOutline(const model::View& view, const glm::vec3& position,
                                      float radius);
-/// The place whose middle or circle is under a pixel; middles first.
+/// The place whose middle, corner, side or circle is under a pixel; middles and corners first.
 [[nodiscard]] std::optional<PlaceHit> placeAt(const ToolContext& context, const QPointF& pixel);
 /// The path on whose band the ground under a pixel lies; of several, the one whose middle is
 /// nearest for its width. 0: none, or paths are not shown.
@@ -39,8 +41,9 @@ bool insertPlaceUnder(const ToolContext& context, const ToolInput& input);
 
 /// The selected places become larger or smaller, in the steps of the path brush: one undo step.
 void resizePlaces(EditorState& state, int steps);
-/// The next place begins another path. One of a single place leads nowhere: it goes, with its place
-/// unless something else needs that.
+/// The next place begins another path, the next corner another line or area. A path of a single
+/// place leads nowhere: it goes, with its place unless something else needs that; so does a single
+/// corner.
 void endPath(EditorState& state);
 /// A path of a kind over the selected places, which is the current one from then on.
 void makePathOfPlaces(EditorState& state, model::PathKind kind);

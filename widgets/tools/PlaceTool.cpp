@@ -11,7 +11,8 @@
 #include "model/document/PathEdits.h"
 #include "model/document/SceneEdit.h"
 #include "model/scene/NearestPath.h"
-#include "widgets/state/BrushTexts.h"
+#include "widgets/tools/EnvironmentPlaces.h"
+#include "widgets/tools/ShapeDrag.h"
 
 namespace crowd::widgets {
 
@@ -30,29 +31,6 @@ constexpr float kLeastSpacing = 1.0F;
 /// A way so many times as long as straight on, and so much longer, is worth a word.
 constexpr float kDetour = 2.0F;
 constexpr float kDetourMetres = 5.0F;
-
-std::array<std::uint8_t, 3> roleColor(model::PlaceRole role)
-{
-    switch (role) {
-    case model::PlaceRole::Spot:
-        break;
-    case model::PlaceRole::Obstacle:
-        return {190, 60, 50};
-    case model::PlaceRole::Attractor:
-        return {70, 180, 90};
-    case model::PlaceRole::Repeller:
-        return {200, 90, 160};
-    case model::PlaceRole::Exit:
-        return {60, 140, 230};
-    case model::PlaceRole::Slow:
-        return {150, 120, 80};
-    case model::PlaceRole::Forbidden:
-        return {225, 60, 110};
-    case model::PlaceRole::Preferred:
-        return {120, 200, 130};
-    }
-    return {240, 150, 40};
-}
 
 /// Whether a click on a place leads the path back to where it began.
 bool closesAt(const model::Path& path, model::PlaceId place)
@@ -120,7 +98,15 @@ private:
         }
         m_last = ground;
         m_context.state.showStatus({}); // of the click before
-        m_kind == BrushKind::Path ? extendPath(input, *ground) : addRole(*ground);
+        m_kind == BrushKind::Path ? extendPath(input, *ground) : addDisc(*ground);
+    }
+
+    void addDisc(const glm::vec3& ground)
+    {
+        model::Place place;
+        place.position = ground;
+        place.radius = settings().radiusMetres;
+        addEnvironment(m_context.state, place);
     }
 
     /// A place that is there already is taken into the path.
@@ -228,40 +214,19 @@ private:
         }
     }
 
-    /// The first obstacle is Obstacle 1, whatever else there is.
-    [[nodiscard]] QString freeName(const QString& what) const
-    {
-        const std::vector<model::Place>& places = m_context.state.scene().places;
-        for (int number = 1;; ++number) {
-            QString name = PlaceToolText::tr("%1 %2").arg(what).arg(number);
-            if (std::ranges::find(places, name.toStdString(), &model::Place::name) ==
-                places.end()) {
-                return name;
-            }
-        }
-    }
-
-    void addRole(const glm::vec3& ground)
-    {
-        model::Place place;
-        place.position = ground;
-        place.radius = settings().radiusMetres;
-        place.role = brush().as<model::EnvironmentSettings>().role;
-        place.color = roleColor(place.role);
-        const QString text = PlaceToolText::tr("Add: %1").arg(placeRoleName(place.role));
-        m_context.state.document().edit(text, [&](model::SceneEdit& edit) {
-            place.id = edit.addPlace(place);
-            place.name = freeName(placeRoleName(place.role)).toStdString();
-            edit.changePlace(place);
-        });
-        m_context.state.paths().select({place.id});
-    }
-
     ToolContext m_context;
     BrushKind m_kind;
     ToolInput m_current;
     std::optional<glm::vec3> m_last;
 };
+
+/// Whether the brush makes lines or areas.
+bool makesShapes(const ToolContext& context, BrushKind kind)
+{
+    return kind == BrushKind::Environment &&
+           context.state.brush(kind).as<model::EnvironmentSettings>().shape !=
+               model::PlaceShape::Round;
+}
 
 } // namespace
 
@@ -271,6 +236,11 @@ PlaceTool::PlaceTool(const ToolContext& context, BrushKind kind) : m_context(con
 
 QString PlaceTool::hint() const
 {
+    if (makesShapes(m_context, m_kind)) {
+        return PlaceToolText::tr("Click: add a corner · Drag: draw freely · Enter or double click: "
+                                 "end it · on the first "
+                                 "corner: close it · + −: the width of a line · V: move corners");
+    }
     return m_kind == BrushKind::Path
                ? PlaceToolText::tr(
                      "Click: add a place to the path · + −: its size · on the first place: "
@@ -284,6 +254,9 @@ DragSessionPtr PlaceTool::press(const ToolInput& input)
     if (input.button != Qt::LeftButton || m_context.state.document().isEditOpen()) {
         return nullptr;
     }
+    if (makesShapes(m_context, m_kind)) {
+        return shapeDrag(m_context, input);
+    }
     return std::make_unique<PaintPlaces>(m_context, m_kind, input);
 }
 
@@ -292,6 +265,10 @@ void PlaceTool::hover(const ToolInput& input, ToolPicture& picture) const
     picture.cursor = Qt::CrossCursor;
     picture.symbol = toolOf(m_kind);
     picture.symbolAt = input.position();
+    if (makesShapes(m_context, m_kind)) {
+        showShapeToCome(m_context, input, picture);
+        return;
+    }
     const auto ground = groundUnder(m_context, input);
     const model::PlaceSettings& settings = *m_context.state.brush(m_kind).place();
     const auto walkable = settings.anywhere ? nullptr : m_context.state.ground().soon();

@@ -11,6 +11,7 @@
 #include "model/brush/MoveDrag.h"
 #include "widgets/tools/BrushDrags.h"
 #include "widgets/tools/LightHandles.h"
+#include "widgets/tools/PlaceCorners.h"
 #include "widgets/tools/PlaceHandles.h"
 
 namespace crowd::widgets {
@@ -201,7 +202,8 @@ QString SelectTool::hint() const
     return SelectToolText::tr(
         "Click: select · Drag: area, or move who is selected · Shift: add, Ctrl: toggle, areas "
         "from "
-        "anywhere · Double click on a path: insert a place · L: lasso or rectangle · Delete: "
+        "anywhere · Double click: a place into a path, a corner into a line or out of it · L: "
+        "lasso or rectangle · Delete: "
         "remove · F: show the selection");
 }
 
@@ -219,6 +221,9 @@ DragSessionPtr SelectTool::press(const ToolInput& input)
         return lightDrag(m_context, input, *light);
     }
     if (const auto place = placeAt(m_context, input.position())) {
+        if (input.isSecond && changeCorners(m_context, input, *place)) {
+            return nullptr;
+        }
         return placeDrag(m_context, input, *place);
     }
     const auto hit =

@@ -7,6 +7,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "behavior/surface/WalkSurface.h"
+#include "model/base/Segment.h"
+#include "model/scene/PlaceShape.h"
+#include "widgets/viewport/AreaSlices.h"
+
 namespace crowd::widgets {
 
 namespace {
@@ -19,7 +24,13 @@ constexpr float kCurrentLaneOpacity = 0.5F;
 constexpr float kSpotOpacity = 0.45F;
 constexpr float kRoleOpacity = 0.5F;
 constexpr float kJumpOpacity = 0.3F;
-constexpr float kBright = 0.72F; ///< from the colour towards white
+constexpr float kBright = 0.72F;    ///< from the colour towards white
+constexpr float kSideWidth = 0.06F; ///< metres to either side, of an area's sides
+constexpr float kCornerRadius = 0.18F;
+constexpr float kWayNarrow = 0.07F; ///< metres to either side, of a way around something
+constexpr float kWayWide = 0.2F;
+constexpr float kAsideMetres = 0.5F; ///< what is nearer to the straight line is straight on
+constexpr float kShortestPiece = 0.05F;
 
 constexpr float kCell = 1.0F;           ///< metres between samples of the ground
 constexpr float kManyMetres = 2'000.0F; ///< of paths: samples lie farther apart beyond
@@ -74,6 +85,30 @@ float cellFor(const model::Scene& scene)
         cell *= 2.0F;
     }
     return cell;
+}
+
+/// The way that people take from place to place; empty where they walk straight on, or nobody
+/// knows.
+std::vector<glm::vec3> wayAround(const behavior::WalkSurface* surface, const model::Place& from,
+                                 const model::Place& to)
+{
+    std::vector<glm::vec3> corners;
+    if (surface != nullptr) {
+        corners = surface->way(from.position, to.position, behavior::Lane());
+    }
+    const auto isAside = [&](const glm::vec3& corner) {
+        const glm::vec3 level(1.0F, 0.0F, 1.0F);
+        const float share =
+            model::nearestShare(corner * level, from.position * level, to.position * level);
+        return flatDistance(corner, glm::mix(from.position, to.position, share)) > kAsideMetres;
+    };
+    if (std::ranges::none_of(corners, isAside)) {
+        return {};
+    }
+    if (flatDistance(corners.front(), from.position) > kShortestPiece) {
+        corners.insert(corners.begin(), from.position);
+    }
+    return corners;
 }
 
 /// From the rim of a place to the rim of another, bent to the right.
@@ -139,15 +174,85 @@ void PathDrawing::arrow(const glm::vec3& tip, const glm::vec3& along, float size
 
 void PathDrawing::place(const model::Place& place, bool isSelected)
 {
-    const glm::vec3 color = colorOf(place.color);
-    const float width = std::clamp(place.radius * kRingShare, 0.04F, 0.15F);
     const bool isSpot = place.role == model::PlaceRole::Spot;
+    const glm::vec4 fill(colorOf(place.color), isSpot ? kSpotOpacity : kRoleOpacity);
+    switch (place.shape) {
+    case model::PlaceShape::Round:
+        disc(place, fill, isSelected);
+        break;
+    case model::PlaceShape::Line:
+        line(place, fill, isSelected);
+        break;
+    case model::PlaceShape::Area:
+        area(place, fill, isSelected);
+        break;
+    }
+}
+
+void PathDrawing::disc(const model::Place& place, glm::vec4 fill, bool isSelected)
+{
+    const glm::vec3 color(fill);
+    const float width = std::clamp(place.radius * kRingShare, 0.04F, 0.15F);
     ring({place.position, place.radius - width, place.radius}, Layer::Ring, {color, 1.0F});
-    ring({place.position, 0.0F, place.radius - width}, Layer::Disc,
-         {color, isSpot ? kSpotOpacity : kRoleOpacity});
+    ring({place.position, 0.0F, place.radius - width}, Layer::Disc, fill);
     if (isSelected) {
         ring({place.position, place.radius, place.radius + borderOf(place.radius)},
              Layer::SelectedRing, {bright(color), 1.0F});
+    }
+}
+
+/// As wide as it keeps people off, round where it bends, its middle drawn out.
+void PathDrawing::line(const model::Place& place, glm::vec4 fill, bool isSelected)
+{
+    const glm::vec3 color(fill);
+    const float half = place.radius;
+    const float width = std::clamp(half * kRingShare, 0.04F, 0.15F);
+    const float border = half + borderOf(half);
+    const std::vector<glm::vec3> corners = model::cornersOf(place);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        ring({corners[i], 0.0F, half}, Layer::Disc, fill);
+        if (i + 1 < corners.size()) {
+            const glm::vec3& to = corners[i + 1];
+            band({corners[i], to, {-half, half}, {-half, half}}, Layer::Disc, fill);
+            band({corners[i], to, {-width, width}, {-width, width}}, Layer::Ring, {color, 1.0F});
+        }
+        if (isSelected && i + 1 < corners.size()) {
+            const glm::vec3& to = corners[i + 1];
+            const glm::vec4 shown(bright(color), 1.0F);
+            band({corners[i], to, {half, border}, {half, border}}, Layer::SelectedRing, shown);
+            band({corners[i], to, {-border, -half}, {-border, -half}}, Layer::SelectedRing, shown);
+        }
+    }
+    if (isSelected) {
+        this->corners(place);
+    }
+}
+
+void PathDrawing::area(const model::Place& place, glm::vec4 fill, bool isSelected)
+{
+    const glm::vec3 color(fill);
+    const std::vector<glm::vec3> corners = model::cornersOf(place);
+    for (const BandShape& slice : slicesOf(corners)) {
+        band(slice, Layer::Disc, fill);
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::vec3& to = corners[(i + 1) % corners.size()];
+        band({corners[i], to, {-kSideWidth, kSideWidth}, {-kSideWidth, kSideWidth}},
+             isSelected ? Layer::SelectedRing : Layer::Ring,
+             {isSelected ? bright(color) : color, 1.0F});
+    }
+    if (isSelected) {
+        this->corners(place);
+    }
+}
+
+/// To take hold of.
+void PathDrawing::corners(const model::Place& place)
+{
+    const glm::vec4 shown(bright(colorOf(place.color)), 1.0F);
+    for (const glm::vec3& corner : model::cornersOf(place)) {
+        ring({corner, 0.0F, std::max(kCornerRadius, place.radius + 0.05F)}, Layer::SelectedRing,
+             shown);
     }
 }
 
@@ -165,6 +270,27 @@ void PathDrawing::arrows(const model::Place& from, const model::Place& to, glm::
         const glm::vec3 middle = m_sheets.onGround(from.position + way * share,
                                                    GroundSheets::reachBetween(length, share));
         arrow(middle + along * (size * 0.5F), along, size, Layer::Arrow, color);
+    }
+}
+
+/// As people really walk, where that is not straight on: narrow, and an arrow on each piece.
+void PathDrawing::way(const std::vector<glm::vec3>& corners, const model::Place& from,
+                      const model::Place& to, glm::vec3 color)
+{
+    const float half = std::clamp(0.1F * std::min(from.radius, to.radius), kWayNarrow, kWayWide);
+    const glm::vec4 shown(bright(color), 1.0F);
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+        const float metres = flatDistance(corners[i], corners[i + 1]);
+        if (metres < kShortestPiece) {
+            continue;
+        }
+        band({corners[i], corners[i + 1], {-half, half}, {-half, half}}, Layer::Way, shown);
+        const glm::vec3 step = (corners[i + 1] - corners[i]) / metres;
+        const glm::vec3 along(step.x, 0.0F, step.z);
+        const float size = std::min({kArrowMetres, 0.5F * metres, 6.0F * half});
+        const glm::vec3 middle = m_sheets.onGround(glm::mix(corners[i], corners[i + 1], 0.5F),
+                                                   GroundSheets::reachBetween(metres, 0.5F));
+        arrow(middle + along * (0.5F * size), along, size, Layer::Way, {color, 1.0F});
     }
 }
 
@@ -237,6 +363,7 @@ void PathDrawing::branch(const model::Scene& scene, const model::PathBranch& bra
 void PathDrawing::path(const EditorState& state, const model::Path& path)
 {
     const model::Scene& scene = state.scene();
+    const auto surface = state.session().surface();
     const bool isCurrent = path.id == state.paths().path();
     const glm::vec3 color = colorOf(path.color);
     const std::size_t count = path.places.size();
@@ -250,10 +377,16 @@ void PathDrawing::path(const EditorState& state, const model::Path& path)
             continue;
         }
         const bool isJump = i + 1 == count && path.kind == model::PathKind::Teleport;
+        const std::vector<glm::vec3> around =
+            isJump ? std::vector<glm::vec3>() : wayAround(surface.get(), *from, *to);
         if (!isJump) {
             leg(*from, *to, color, isCurrent);
         }
-        arrows(*from, *to, {color, isJump ? kJumpOpacity : 1.0F});
+        if (around.empty()) {
+            arrows(*from, *to, {color, isJump ? kJumpOpacity : 1.0F});
+        } else {
+            way(around, *from, *to, color);
+        }
     }
     for (std::size_t i = 0; i < path.branches.size(); ++i) {
         const auto isSame = [&](const model::PathBranch& other) {

@@ -13,8 +13,9 @@
 
 namespace crowd::widgets {
 
-/// Places as rings and paths as lanes with arrows, laid on the ground, branches from one path to
-/// another. Made anew only when they changed.
+/// Places as rings, lines and areas, and paths as lanes with arrows, laid on the ground, with the
+/// way around what is in between; branches from one path to another. Made anew only when they
+/// changed.
 class PathDrawing
 {
 public:
@@ -33,6 +34,7 @@ private:
         Branch,
         SelectedRing,
         Ring,
+        Way,
         Arrow,
         Disc,
         CurrentLane,
@@ -44,7 +46,13 @@ private:
     void draw(const EditorState& state, const model::StageRays& stage);
     void path(const EditorState& state, const model::Path& path);
     void place(const model::Place& place, bool isSelected);
+    void disc(const model::Place& place, glm::vec4 fill, bool isSelected);
+    void line(const model::Place& place, glm::vec4 fill, bool isSelected);
+    void area(const model::Place& place, glm::vec4 fill, bool isSelected);
+    void corners(const model::Place& place);
     void leg(const model::Place& from, const model::Place& to, glm::vec3 color, bool isCurrent);
+    void way(const std::vector<glm::vec3>& corners, const model::Place& from,
+             const model::Place& to, glm::vec3 color);
     void arrows(const model::Place& from, const model::Place& to, glm::vec4 color);
     void branch(const model::Scene& scene, const model::PathBranch& branch, int number);
     void arrow(const glm::vec3& tip, const glm::vec3& along, float size, Layer layer,

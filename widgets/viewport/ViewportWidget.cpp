@@ -144,8 +144,12 @@ void ViewportWidget::connectScene()
 void ViewportWidget::connectSession()
 {
     connect(&m_state.session(), &SessionControl::stateChanged, this, &ViewportWidget::redraw);
-    connect(&m_state.session(), &SessionControl::surfaceChanged, this,
-            &ViewportWidget::refreshText);
+    connect(&m_state.session(), &SessionControl::surfaceChanged, this, [this] {
+        refreshText();
+        if (m_state.session().surfaceProgress() < 0.0) {
+            redrawPaths(); // people may take other ways
+        }
+    });
     connect(&m_state.session(), &SessionControl::stepped, this, [this] {
         if (!m_clock.isRunning()) {
             renew(); // a single step

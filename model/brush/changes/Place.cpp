@@ -31,4 +31,25 @@ void PlaceSettings::setMainNumber(BrushSettings& brush, float value)
     brush.place()->radiusMetres = value;
 }
 
+MainNumber EnvironmentSettings::mainNumber(const BrushSettings& brush)
+{
+    const auto& settings = brush.as<EnvironmentSettings>();
+    if (settings.shape != PlaceShape::Line) {
+        return PlaceSettings::mainNumber(brush);
+    }
+    return {QT_TRANSLATE_NOOP("BrushTexts", "Width, m"),
+            QT_TRANSLATE_NOOP("BrushTexts", "Width: %1 m"),
+            settings.widthMetres,
+            2.0F * kMinPlaceRadius,
+            2.0F * kMaxPlaceRadius,
+            0.1,
+            2};
+}
+
+void EnvironmentSettings::setMainNumber(BrushSettings& brush, float value)
+{
+    auto& settings = brush.as<EnvironmentSettings>();
+    (settings.shape == PlaceShape::Line ? settings.widthMetres : settings.radiusMetres) = value;
+}
+
 } // namespace crowd::model

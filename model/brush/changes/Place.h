@@ -33,6 +33,11 @@ struct PathSettings : PlaceSettings
 struct EnvironmentSettings : PlaceSettings
 {
     PlaceRole role = PlaceRole::Obstacle;
+    PlaceShape shape = PlaceShape::Round;
+    float widthMetres = 0.3F; ///< of lines
+
+    static MainNumber mainNumber(const BrushSettings& brush);
+    static void setMainNumber(BrushSettings& brush, float value);
 
     static const BrushInfo kInfo;
     static constexpr auto fields();
@@ -61,7 +66,11 @@ inline constexpr BrushInfo EnvironmentSettings::kInfo{
     .shortcut = "I",
     .order = 110,
     .section = BrushSection::Way,
-    .family = StrokeFamily::Places};
+    .family = StrokeFamily::Places,
+    .note = QT_TRANSLATE_NOOP(
+        "Fields", "Each click puts one there. Lines and areas: each click adds a corner, a drag "
+                  "draws freely; Enter or a double click ends it, a click on the first corner "
+                  "closes it.")};
 
 inline constexpr FieldChoice kPathKinds[] = {
     {"simple", QT_TRANSLATE_NOOP("Fields", "Stop")},
@@ -85,6 +94,13 @@ inline constexpr FieldChoice kPlaceRoles[] = {
      QT_TRANSLATE_NOOP("Fields", "Nobody walks there; ways lead around it")},
     {"preferred", QT_TRANSLATE_NOOP("Fields", "Liked ground"),
      QT_TRANSLATE_NOOP("Fields", "Ways lead over it where that is not much longer")}};
+
+inline constexpr FieldChoice kPlaceShapes[] = {
+    {"round", QT_TRANSLATE_NOOP("Fields", "Round"), QT_TRANSLATE_NOOP("Fields", "A disc")},
+    {"line", QT_TRANSLATE_NOOP("Fields", "Line"),
+     QT_TRANSLATE_NOOP("Fields", "A wall, a fence, a kerb: from corner to corner")},
+    {"area", QT_TRANSLATE_NOOP("Fields", "Area"),
+     QT_TRANSLATE_NOOP("Fields", "All that its corners enclose")}};
 
 namespace detail {
 
@@ -125,12 +141,30 @@ constexpr auto PathSettings::fields()
 
 constexpr auto EnvironmentSettings::fields()
 {
-    return std::tuple(
-        detail::placeRadiusField<EnvironmentSettings>(),
-        detail::placeAnywhereField<EnvironmentSettings>(),
-        field(
-            &EnvironmentSettings::role,
-            {.key = "role", .label = QT_TRANSLATE_NOOP("Fields", "What"), .choices = kPlaceRoles}));
+    using S = EnvironmentSettings;
+    using C = FieldContext;
+    // Lines and areas may go anywhere: a fence begins at a house.
+    const auto isRound = [](const S& s, const C&) { return s.shape == PlaceShape::Round; };
+    const auto isLine = [](const S& s, const C&) { return s.shape == PlaceShape::Line; };
+    return std::tuple(field(&S::role, {.key = "role",
+                                       .label = QT_TRANSLATE_NOOP("Fields", "What"),
+                                       .choices = kPlaceRoles}),
+                      field(&S::shape, {.key = "shape",
+                                        .label = QT_TRANSLATE_NOOP("Fields", "Shape"),
+                                        .choices = kPlaceShapes}),
+                      detail::placeRadiusField<S>().when(isRound),
+                      detail::placeAnywhereField<S>().when(isRound),
+                      field(&S::widthMetres, {.key = "width",
+                                              .label = QT_TRANSLATE_NOOP("Fields", "Width"),
+                                              .doc = "of a line",
+                                              .unit = QT_TRANSLATE_NOOP("Fields", " m"),
+                                              .low = 2.0 * kMinPlaceRadius,
+                                              .high = 2.0 * kMaxPlaceRadius,
+                                              .sliderLow = 0.1,
+                                              .sliderHigh = 5.0,
+                                              .step = 0.1,
+                                              .isLogarithmic = true})
+                          .when(isLine));
 }
 
 } // namespace crowd::model
