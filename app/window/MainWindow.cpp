@@ -339,6 +339,7 @@ void MainWindow::applyPreferences(const Preferences& preferences)
     m_files.setAutosaveSeconds(preferences.autosaveSeconds);
     m_state.keyframes().setBudget(static_cast<std::size_t>(preferences.keyframeMegabytes) << 20U);
     m_document.setUndoBudget(static_cast<std::size_t>(preferences.undoMegabytes) << 20U);
+    m_state.undoGroups().setOn(preferences.groupsStrokes);
     auto options = m_state.viewOptions();
     options.buttons = preferences.buttons;
     options.quality = preferences.quality;

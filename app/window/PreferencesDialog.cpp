@@ -28,6 +28,7 @@ const QString kQuality = QStringLiteral("preferences/pictureQuality");
 const QString kAutosave = QStringLiteral("preferences/autosaveSeconds");
 const QString kMemory = QStringLiteral("preferences/keyframeMegabytes");
 const QString kUndoMemory = QStringLiteral("preferences/undoMegabytes");
+const QString kGroups = QStringLiteral("preferences/groupsStrokes");
 const QString kLanguage = QStringLiteral("preferences/language");
 const QString kWelcome = QStringLiteral("preferences/showsWelcome");
 
@@ -56,6 +57,7 @@ Preferences Preferences::load()
     preferences.autosaveSeconds = settings.value(kAutosave, preferences.autosaveSeconds).toInt();
     preferences.keyframeMegabytes = settings.value(kMemory, preferences.keyframeMegabytes).toInt();
     preferences.undoMegabytes = settings.value(kUndoMemory, preferences.undoMegabytes).toInt();
+    preferences.groupsStrokes = settings.value(kGroups).toBool();
     preferences.language = settings.value(kLanguage).toString();
     preferences.showsWelcome = settings.value(kWelcome, true).toBool();
     return preferences;
@@ -70,6 +72,7 @@ void Preferences::save() const
     settings.setValue(kAutosave, autosaveSeconds);
     settings.setValue(kMemory, keyframeMegabytes);
     settings.setValue(kUndoMemory, undoMegabytes);
+    settings.setValue(kGroups, groupsStrokes);
     settings.setValue(kLanguage, language);
     settings.setValue(kWelcome, showsWelcome);
 }
@@ -78,7 +81,7 @@ PreferencesDialog::PreferencesDialog(widgets::ActionRegistry& actions, QWidget* 
     : QDialog(parent), m_before(Preferences::load()), m_shortcuts(new ShortcutsPage(actions, this)),
       m_theme(new QComboBox(this)), m_buttons(new QComboBox(this)), m_quality(new QComboBox(this)),
       m_language(new QComboBox(this)), m_autosave(new QDoubleSpinBox(this)),
-      m_memory(new QSpinBox(this)), m_undoMemory(new QSpinBox(this)),
+      m_memory(new QSpinBox(this)), m_undoMemory(new QSpinBox(this)), m_groups(new QCheckBox(this)),
       m_languageNote(new QLabel(this)), m_welcome(new QCheckBox(this))
 {
     setWindowTitle(tr("Preferences"));
@@ -100,7 +103,9 @@ PreferencesDialog::PreferencesDialog(widgets::ActionRegistry& actions, QWidget* 
     for (QSpinBox* box : {m_memory, m_undoMemory}) {
         connect(box, &QSpinBox::valueChanged, this, &PreferencesDialog::choose);
     }
-    connect(m_welcome, &QCheckBox::toggled, this, &PreferencesDialog::choose);
+    for (QCheckBox* box : {m_groups, m_welcome}) {
+        connect(box, &QCheckBox::toggled, this, &PreferencesDialog::choose);
+    }
 }
 
 void PreferencesDialog::fill()
@@ -132,6 +137,9 @@ void PreferencesDialog::fill()
     m_memory->setToolTip(tr("Whose animation finds no room stands still."));
     fillMemory(*m_undoMemory, 16, m_before.undoMegabytes);
     m_undoMemory->setToolTip(tr("What exceeds it is kept in a temporary file on disk."));
+    m_groups->setText(tr("Take back short strokes in a row together"));
+    m_groups->setToolTip(tr("Clicks and dabs that follow each other within a second"));
+    m_groups->setChecked(m_before.groupsStrokes);
     m_welcome->setText(tr("Show the welcome page"));
     m_welcome->setChecked(m_before.showsWelcome);
 }
@@ -157,6 +165,7 @@ QWidget* PreferencesDialog::generalPage()
     form->addRow(tr("Keep unsaved work every"), m_autosave);
     form->addRow(tr("Memory for baked animations"), m_memory);
     form->addRow(tr("Memory for undo"), m_undoMemory);
+    form->addRow(tr("Undo"), m_groups);
     form->addRow(tr("Language"), m_language);
     form->addRow(QString(), m_languageNote);
     form->addRow(tr("At start"), m_welcome);
@@ -173,6 +182,7 @@ Preferences PreferencesDialog::chosen() const
     preferences.autosaveSeconds = qRound(m_autosave->value() * kSecondsInAMinute);
     preferences.keyframeMegabytes = m_memory->value();
     preferences.undoMegabytes = m_undoMemory->value();
+    preferences.groupsStrokes = m_groups->isChecked();
     preferences.language = m_language->currentData().toString();
     preferences.showsWelcome = m_welcome->isChecked();
     return preferences;

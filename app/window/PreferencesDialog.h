@@ -26,8 +26,9 @@ struct Preferences
     int autosaveSeconds = 60; ///< 0: off
     int keyframeMegabytes = 512;
     int undoMegabytes = 256;
-    QString language;         ///< "de"; empty: the system's
-    bool showsWelcome = true; ///< at a start without a file
+    bool groupsStrokes = false; ///< short ones without a pause are undone together
+    QString language;           ///< "de"; empty: the system's
+    bool showsWelcome = true;   ///< at a start without a file
     friend bool operator==(const Preferences&, const Preferences&) = default;
 
     [[nodiscard]] static Preferences load();
@@ -69,6 +70,7 @@ private:
     QDoubleSpinBox* m_autosave; ///< minutes
     QSpinBox* m_memory;         ///< of baked animations, MB
     QSpinBox* m_undoMemory;     ///< MB
+    QCheckBox* m_groups;
     QLabel* m_languageNote;
     QCheckBox* m_welcome;
 };

@@ -98,10 +98,12 @@ void undoSaying(MainWindow& window)
                                       .arg(recalled, text));
         return;
     }
-    const int before = stack.index();
-    stack.undo();
-    if (stack.index() != before) { // else something else was said
+    const int done = window.state().undoGroups().undo();
+    if (done == 1) { // none: something else was said
         window.state().showStatus(QCoreApplication::translate("Actions", "Undone: %1").arg(text));
+    } else if (done > 1) {
+        window.state().showStatus(
+            QCoreApplication::translate("Actions", "Undone: %n short stroke(s)", nullptr, done));
     }
 }
 
@@ -109,11 +111,13 @@ void redoSaying(MainWindow& window)
 {
     QUndoStack& stack = window.document().undoStack();
     const QString text = stack.redoText();
-    const int before = stack.index();
-    stack.redo();
-    if (stack.index() != before) {
+    const int done = window.state().undoGroups().redo();
+    if (done == 1) {
         window.state().showStatus(
             QCoreApplication::translate("Actions", "Done again: %1").arg(text));
+    } else if (done > 1) {
+        window.state().showStatus(QCoreApplication::translate(
+            "Actions", "Done again: %n short stroke(s)", nullptr, done));
     }
 }
 
@@ -206,10 +210,14 @@ const WindowAction kEditActions[] = {
      [](MainWindow& w, bool) { widgets::makePathOfPlaces(w.state(), model::PathKind::Teleport); },
      {.inputs = ActionInput::Paths, .isEnabled = hasSeveralPlaces}},
     {{"path-end", QT_TRANSLATE_NOOP("Actions", "&End Path"), "path-end", "Return; Enter",
-      QT_TRANSLATE_NOOP("Actions", "End the path that is being painted")},
+      QT_TRANSLATE_NOOP("Actions", "End the path, line or area that is being drawn")},
      [](MainWindow& w, bool) { widgets::endPath(w.state()); },
      {.inputs = ActionInput::Paths,
-      .isEnabled = [](MainWindow& w) { return w.state().paths().isPainting(); }}},
+      .isEnabled =
+          [](MainWindow& w) {
+              const widgets::PathFocus& paths = w.state().paths();
+              return paths.isPainting() || paths.shaped() != 0;
+          }}},
     {{"preferences", QT_TRANSLATE_NOOP("Actions", "&Preferences…"), "preferences", "Ctrl+,",
       QT_TRANSLATE_NOOP("Actions", "Theme, mouse, autosave, memory, language, shortcuts")},
      [](MainWindow& w, bool) { w.showPreferences(); }},

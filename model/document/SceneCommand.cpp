@@ -1,14 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "model/document/SceneCommand.h"
 
+#include <atomic>
 #include <utility>
 
 #include "model/document/SceneDocument.h"
 
 namespace crowd::model {
 
+namespace {
+
+std::uint64_t nextSerial()
+{
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
+} // namespace
+
 SceneCommand::SceneCommand(SceneDocument& document, SceneDelta delta, const QString& text)
-    : QUndoCommand(text), m_document(document), m_delta(document.m_undoMemory, std::move(delta))
+    : QUndoCommand(text), m_document(document), m_delta(document.m_undoMemory, std::move(delta)),
+      m_serial(nextSerial())
 {
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+
 #include <QtGui/QUndoCommand>
 
 #include "model/document/StoredDelta.h"
@@ -21,6 +23,8 @@ public:
     void redo() override;
     [[nodiscard]] bool isApplied() const { return m_isApplied; }
     [[nodiscard]] const StoredDelta& delta() const { return m_delta; }
+    /// Another one for every step of this run of the program, never 0.
+    [[nodiscard]] std::uint64_t serial() const { return m_serial; }
 
 private:
     void bringTo(bool isApplied);
@@ -28,6 +32,7 @@ private:
     SceneDocument& m_document;
     StoredDelta m_delta;
     bool m_isApplied = true;
+    std::uint64_t m_serial;
 };
 
 } // namespace crowd::model

@@ -752,8 +752,13 @@ void MainWindowTest::memoryForUndoIsAPreference()
     app::Preferences wanted = app::Preferences::load();
     QCOMPARE(wanted.undoMegabytes, 256);
     wanted.undoMegabytes = 0;
+    wanted.groupsStrokes = true;
     Q_EMIT dialog->changed(wanted);
     QVERIFY(document().undoMemory().bytesOnDisk() > 0);
+    QVERIFY(m_window->state().undoGroups().isOn());
+    for (auto* box : dialog->findChildren<QCheckBox*>()) {
+        box->setChecked(box->isChecked() || box->text().contains(QStringLiteral("short strokes")));
+    }
     for (auto* box : dialog->findChildren<QSpinBox*>()) {
         if (box->toolTip().contains(QStringLiteral("temporary file"))) {
             box->setValue(32);
@@ -761,6 +766,7 @@ void MainWindowTest::memoryForUndoIsAPreference()
     }
     dialog->accept();
     QCOMPARE(app::Preferences::load().undoMegabytes, 32);
+    QVERIFY(app::Preferences::load().groupsStrokes);
     document().undoStack().clear();
     document().undoStack().setClean();
 }

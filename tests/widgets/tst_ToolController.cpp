@@ -27,6 +27,7 @@ private Q_SLOTS:
     void theEnvironmentBrushSaysWhatItPaintsAndChoosesIt();
     void aDoubleClickPutsAPlaceIntoAPath();
     void aPathOfOnePlaceGoesWhenItEnds();
+    void shortStrokesInARowAreUndoneTogether();
     void aPathOfPlacesIsOfTheKindThatWasAskedFor();
     void theWalkBrushComesBackToItsPath();
 };
@@ -149,6 +150,51 @@ void TestToolController::aDoubleClickPutsAPlaceIntoAPath()
     hand.tools.press(second);
     hand.release(kCenter + QPointF(0.0, 150.0));
     QCOMPARE(hand.document.scene().places.size(), std::size_t{2});
+}
+
+/// By choice; what came after a pause, or by another brush, stays.
+void TestToolController::shortStrokesInARowAreUndoneTogether()
+{
+    Hand hand;
+    hand.document.replaceScene(model::Scene(), {});
+    hand.state.setTool(ToolId::BrushEnvironment);
+    const auto dab = [&hand](double x, double pause) {
+        hand.letTimePass(pause);
+        hand.press(kCenter + QPointF(x, 60.0));
+        hand.release(kCenter + QPointF(x, 60.0));
+    };
+    const auto places = [&hand] { return hand.document.scene().places.size(); };
+    const auto paint = [&] {
+        dab(-120.0, 5.0);
+        dab(-80.0, 5.0);
+        dab(-40.0, 0.5);
+        dab(0.0, 0.5);
+    };
+    paint();
+    QCOMPARE(places(), std::size_t{4});
+    hand.key(Qt::Key_Z, Qt::ControlModifier); // each by itself, unless it is chosen
+    QCOMPARE(places(), std::size_t{3});
+    hand.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    hand.state.undoGroups().setOn(true);
+    hand.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(places(), std::size_t{1});
+    hand.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(places(), std::size_t{4});
+    hand.key(Qt::Key_Z, Qt::ControlModifier);
+    hand.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(places(), std::size_t{0});
+    // What takes longer stands alone.
+    paint();
+    hand.letTimePass(0.2);
+    hand.press(kCenter + QPointF(60.0, 60.0));
+    hand.letTimePass(2.0);
+    hand.release(kCenter + QPointF(60.0, 60.0));
+    dab(100.0, 0.3);
+    QCOMPARE(places(), std::size_t{6});
+    hand.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(places(), std::size_t{5});
+    hand.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(places(), std::size_t{4});
 }
 
 /// It would lead nowhere.

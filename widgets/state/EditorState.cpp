@@ -97,8 +97,8 @@ void keepValues(const std::vector<model::ScriptValue>& known,
 
 EditorState::EditorState(model::SceneDocument& document, QObject* parent)
     : QObject(parent), m_document(document), m_selection(document), m_paths(document),
-      m_strokes(document), m_session(document, m_transport), m_ground(document), m_director(*this),
-      m_takes(document, m_session)
+      m_strokes(document), m_session(document, m_transport), m_ground(document),
+      m_undoGroups(document), m_director(*this), m_takes(document, m_session)
 {
     for (std::size_t kind = 0; kind < m_brushes.size(); ++kind) {
         m_brushes[kind] = model::initialBrush(static_cast<BrushKind>(kind));

@@ -28,6 +28,7 @@
 #include "widgets/state/TakeShelf.h"
 #include "widgets/state/ToolId.h"
 #include "widgets/state/Transport.h"
+#include "widgets/state/UndoGroups.h"
 
 namespace crowd::widgets {
 
@@ -123,6 +124,7 @@ public:
     [[nodiscard]] model::LastStrokes& strokes() { return m_strokes; }
     /// Where people can walk.
     [[nodiscard]] GroundFinder& ground() { return m_ground; }
+    [[nodiscard]] UndoGroups& undoGroups() { return m_undoGroups; }
     [[nodiscard]] SessionControl& session() { return m_session; }
     [[nodiscard]] const SessionControl& session() const { return m_session; }
     [[nodiscard]] CameraDirector& director() { return m_director; }
@@ -268,6 +270,7 @@ private:
     model::LastStrokes m_strokes;
     SessionControl m_session;
     GroundFinder m_ground;
+    UndoGroups m_undoGroups;
     std::array<model::BrushSettings, model::kBrushCount> m_brushes;
     std::array<bool, model::kBrushCount> m_isStarted{}; ///< see startBrush()
     std::vector<ScriptBrush> m_scriptBrushes;

@@ -58,7 +58,7 @@ ToolController::ToolController(EditorState& state) : m_state(state), m_queries(s
         refreshHint();
         refreshPicture();
     });
-    connect(&state, &EditorState::brushChanged, this, &ToolController::refreshPicture);
+    connect(&state, &EditorState::brushChanged, this, &ToolController::renewTexts);
     connect(&state.paths(), &PathFocus::changed, this, &ToolController::refreshPicture);
     connect(&state, &EditorState::viewCameraChanged, this, &ToolController::refreshPicture);
     refreshHint();
@@ -168,6 +168,8 @@ void ToolController::press(const ToolInput& event)
         m_session->release(input); // a release that never came
         finish();
     }
+    m_pressSeconds = input.pointer.timeSeconds;
+    m_pressIndex = m_state.document().undoStack().index();
     m_session = sessionFor(input);
     m_sessionButton = m_session ? input.button : Qt::NoButton;
     if (!m_session && input.button == Qt::RightButton) {
@@ -191,6 +193,12 @@ void ToolController::release(const ToolInput& event)
     if (m_session && input.button == m_sessionButton && !m_session->isHandsFree()) {
         m_session->release(input);
         finish();
+        const bool isStroke = brushKindOf(m_state.tool()).has_value() &&
+                              m_state.document().undoStack().index() == m_pressIndex + 1;
+        if (isStroke) {
+            m_state.undoGroups().note(static_cast<int>(m_state.tool()), m_pressSeconds,
+                                      input.pointer.timeSeconds);
+        }
     }
 }
 

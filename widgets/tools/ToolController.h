@@ -87,6 +87,8 @@ private:
     SceneQueries m_queries;
     std::array<std::unique_ptr<Tool>, static_cast<std::size_t>(ToolId::Count)> m_tools;
     DragSessionPtr m_session;
+    double m_pressSeconds = 0.0;
+    int m_pressIndex = 0; ///< of the undo stack, before it
     Qt::MouseButton m_sessionButton = Qt::NoButton;
     WheelDolly m_wheel;
     ToolPicture m_picture;
