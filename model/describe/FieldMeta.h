@@ -42,7 +42,8 @@ enum class FieldRole : std::uint8_t {
     Opening,      ///< radians from edge to edge of a cone around the way to its Target
     Counted,      ///< a whole number that people count from 1 and the program from 0
     Sequence,     ///< whole numbers in an order that means something
-    Camera        ///< a camera's name; empty: none
+    Camera,       ///< a camera's name; empty: none
+    Stature       ///< a share of a template's own height; forms say what it comes to in metres
 };
 
 /// A member of an enumeration: `key` in scripts and files, `label` and `tip` on screen.

@@ -88,7 +88,7 @@ constexpr PropertyInfo feature(std::uint8_t kind, const char* key)
                      .aspect = PropertyAspect::Features});
 }
 
-constexpr FieldMeta scaleOf(const char* key, const char* label)
+constexpr FieldMeta scaleOf(const char* key, const char* label, FieldRole role = FieldRole::Plain)
 {
     return {.key = key,
             .label = label,
@@ -97,7 +97,8 @@ constexpr FieldMeta scaleOf(const char* key, const char* label)
             .high = 100.0,
             .sliderLow = 0.1,
             .sliderHigh = 10.0,
-            .decimals = 3};
+            .decimals = 3,
+            .role = role};
 }
 
 constexpr std::array<PropertyInfo, kColumnCount> kProperties{
@@ -143,7 +144,8 @@ constexpr std::array<PropertyInfo, kColumnCount> kProperties{
               .meaning = "in radians",
               .isSuggested = true,
               .aspect = PropertyAspect::Place}),
-    property(columns::height, 1.0F, scaleOf("height", QT_TRANSLATE_NOOP("Fields", "Height")),
+    property(columns::height, 1.0F,
+             scaleOf("height", QT_TRANSLATE_NOOP("Fields", "Height"), FieldRole::Stature),
              {.writers = kByRulesToo, .meaning = "a scale", .aspect = PropertyAspect::Size}),
     property(columns::girth, 1.0F, scaleOf("girth", QT_TRANSLATE_NOOP("Fields", "Girth")),
              {.meaning = "a scale", .aspect = PropertyAspect::Size}),

@@ -5,6 +5,8 @@
 #include <QtCore/QStandardPaths>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QTreeWidget>
@@ -15,7 +17,9 @@
 #include "tests/widgets/Desk.h"
 #include "widgets/docks/Docks.h"
 #include "widgets/docks/TemplateDelegate.h"
+#include "widgets/forms/CheckList.h"
 #include "widgets/forms/RangeSlider.h"
+#include "widgets/forms/StatureNote.h"
 #include "widgets/forms/ValueSlider.h"
 #include "widgets/theme/Theme.h"
 
@@ -35,6 +39,8 @@ private Q_SLOTS:
     void everyBrushHasSettingsThatFit();
     void sliderChangesTheBrush();
     void tickedTemplatesAreTheMix();
+    void heightsAreSaidInMetres();
+    void theMaskIsNoLowerThanOtherBoxes();
     void outlineListsTheScene();
     void renamedCameraCanBeUndone();
     void stagesAndTemplatesAreRenamed();
@@ -135,6 +141,53 @@ void DocksTest::tickedTemplatesAreTheMix()
     QCOMPARE(mix().front().id, id);
     list->item(1)->setCheckState(Qt::Unchecked);
     QVERIFY2(list->item(1)->checkState() == Qt::Checked, "the last template stays in the mix");
+}
+
+void DocksTest::heightsAreSaidInMetres()
+{
+    Desk<BrushSettingsDock> desk;
+    QVERIFY(desk.isReady());
+    const model::Scene& scene = desk.document.scene();
+    const float tall = scene.templates.front().asset->height;
+    desk.state.setTool(ToolId::BrushScale);
+    model::BrushSettings scale = desk.state.brush(model::BrushKind::Scale);
+    scale.as<model::ScaleSettings>().height = {0.5F, 0.75F};
+    desk.state.setBrush(scale);
+    const auto note = [&] { return desk.dock->findChild<QLabel*>(QStringLiteral("stature")); };
+    QTRY_VERIFY(note() != nullptr && note()->isVisible());
+    QTRY_COMPARE(note()->text(), QStringLiteral("%1 to %2 m tall")
+                                     .arg(static_cast<double>(0.5F * tall), 0, 'f', 2)
+                                     .arg(static_cast<double>(0.75F * tall), 0, 'f', 2));
+    scale.as<model::ScaleSettings>().setsHeight = false;
+    desk.state.setBrush(scale);
+    QTRY_VERIFY(!note()->isVisible());
+    // Of those that are created alone; of nobody nothing.
+    model::BrushSettings create = desk.state.brush(model::BrushKind::Create);
+    create.as<model::CreateSettings>().mix = {{scene.templates.front().id, 0.0F}};
+    QCOMPARE(statureText({&scene, &create}, {1.0F, 1.0F}), QString());
+    create.as<model::CreateSettings>().mix = {{scene.templates.front().id, 1.0F}};
+    QVERIFY(statureText({&scene, &create}, {1.0F, 1.0F}).endsWith(QStringLiteral("m tall")));
+}
+
+void DocksTest::theMaskIsNoLowerThanOtherBoxes()
+{
+    Desk<BrushSettingsDock> desk;
+    QVERIFY(desk.isReady());
+    desk.state.setTool(ToolId::BrushColour);
+    const auto lists = [&desk] { return desk.dock->findChildren<CheckList*>(); };
+    QTRY_VERIFY(!lists().isEmpty() && lists().front()->isVisible());
+    const auto* box = desk.dock->findChild<QComboBox*>();
+    QVERIFY(box != nullptr);
+    for (const CheckList* list : lists()) {
+        QTRY_VERIFY2(list->height() + 1 >= box->height(),
+                     qPrintable(QStringLiteral("%1 %2").arg(list->height()).arg(box->height())));
+    }
+    // Places have no mask: what is noted of them stands under no heading of it.
+    desk.state.setTool(ToolId::BrushEnvironment);
+    const auto mask = [&desk] {
+        return desk.dock->findChild<QToolButton*>(QStringLiteral("mask"));
+    };
+    QTRY_VERIFY(mask() != nullptr && !mask()->isVisible());
 }
 
 void DocksTest::outlineListsTheScene()

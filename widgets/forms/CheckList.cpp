@@ -10,7 +10,8 @@ namespace crowd::widgets {
 
 CheckList::CheckList(QString none, QWidget* parent) : QPushButton(parent), m_none(std::move(none))
 {
-    setStyleSheet(QStringLiteral("text-align: left; padding-left: 6px"));
+    // So much above and below that it is not lower than the boxes that it stands among.
+    setStyleSheet(QStringLiteral("text-align: left; padding: 4px 6px"));
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     auto* menu = new QMenu(this);
     setMenu(menu);

@@ -17,6 +17,7 @@
 #include "widgets/forms/FieldReferences.h"
 #include "widgets/forms/NumberList.h"
 #include "widgets/forms/RangeSlider.h"
+#include "widgets/forms/StatureNote.h"
 #include "widgets/state/BrushTexts.h"
 
 namespace crowd::widgets {
@@ -182,6 +183,9 @@ void addRange(FieldForm& form, const Bound& bound)
             slider->setValue({shown.low * scale, shown.high * scale});
         },
         bound.isShown);
+    if (bound.field->meta.role == model::FieldRole::Stature) {
+        addStatureNote(form, bound);
+    }
 }
 
 /// Opens the dialog of colours; `get` and `set` are of the field.

@@ -175,6 +175,7 @@ constexpr auto CreateSettings::fields()
                            .sliderLow = 0.5,
                            .sliderHigh = 2.0,
                            .step = 0.01,
+                           .role = FieldRole::Stature,
                            .section = QT_TRANSLATE_NOOP("Fields", "Variation")}),
         field(&S::girth, {.key = "girth",
                           .label = QT_TRANSLATE_NOOP("Fields", "Girth"),

@@ -74,7 +74,8 @@ constexpr auto ScaleSettings::columnRanges()
 
 namespace detail {
 
-constexpr FieldMeta scaleRange(const char* key, const char* label)
+constexpr FieldMeta scaleRange(const char* key, const char* label,
+                               FieldRole role = FieldRole::Plain)
 {
     return {.key = key,
             .label = label,
@@ -83,7 +84,8 @@ constexpr FieldMeta scaleRange(const char* key, const char* label)
             .high = kMaxScale,
             .sliderLow = 0.5,
             .sliderHigh = 2.0,
-            .step = 0.01};
+            .step = 0.01,
+            .role = role};
 }
 
 constexpr FieldMeta scaleOperator(const char* key)
@@ -106,7 +108,8 @@ constexpr auto ScaleSettings::fields()
         field(&S::setsHeight, {.key = "sets_height",
                                .label = QT_TRANSLATE_NOOP("Fields", "Change the height"),
                                .section = QT_TRANSLATE_NOOP("Fields", "Height")}),
-        field(&S::height, detail::scaleRange("height", QT_TRANSLATE_NOOP("Fields", "Height")))
+        field(&S::height, detail::scaleRange("height", QT_TRANSLATE_NOOP("Fields", "Height"),
+                                             FieldRole::Stature))
             .when(withHeight),
         field(&S::heightOperator, detail::scaleOperator("height_operator")).when(withHeight),
         field(&S::setsGirth, {.key = "sets_girth",
