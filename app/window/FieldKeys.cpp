@@ -200,6 +200,9 @@ bool FieldKeys::eventFilter(QObject* watched, QEvent* event)
     if (event->type() == QEvent::MouseButtonPress) {
         notePress(*widget, *static_cast<QMouseEvent*>(event));
     }
+    if (event->type() == QEvent::Enter && widget == &m_picture) {
+        m_isAtOffField = false; // the hand has gone back to the picture
+    }
     if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress) {
         return QObject::eventFilter(watched, event);
     }

@@ -45,7 +45,7 @@ private:
     QWidget& m_picture;
     QPointer<QWidget> m_pressed; ///< of those that got the press, the innermost
     quint64 m_pressTime = 0;
-    bool m_isAtOffField = false; ///< since the last press
+    bool m_isAtOffField = false; ///< since the last press, and until the hand leaves it
 };
 
 } // namespace crowd::app

@@ -372,6 +372,14 @@ void PanelsTest::whatIsTypedAtAFieldThatIsOffGoesNowhere()
     QTest::keyClick(m_window->windowHandle(), Qt::Key_Escape); // he gives up
     QTest::keyClick(m_window->windowHandle(), Qt::Key_A, Qt::ControlModifier);
     QTRY_COMPARE(m_window->state().selection().size(), std::size_t{3});
+    clickAt(*field);
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_B);
+    QCOMPARE(m_window->state().tool(), tool);
+    const QPointF over(9.0, 9.0);
+    QEnterEvent back(over, over, over); // the hand comes back over the picture
+    QApplication::sendEvent(&m_window->viewport(), &back);
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_B);
+    QTRY_COMPARE(m_window->state().tool(), widgets::ToolId::BrushColour);
 }
 
 void PanelsTest::whoRenamesGoesOnInTheList()
