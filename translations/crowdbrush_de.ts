@@ -396,10 +396,6 @@
         <translation>Weg been&amp;den</translation>
     </message>
     <message>
-        <source>End the path that is being painted</source>
-        <translation>Den Weg beenden, der gerade gemalt wird</translation>
-    </message>
-    <message>
         <source>Pat&amp;hs</source>
         <translation>&amp;Wege</translation>
     </message>
@@ -1123,6 +1119,24 @@
         <source>Draw a line round those to select, or to paint with a brush; else a rectangle, or a circle</source>
         <translation>Eine Linie um die ziehen, die ausgewählt oder mit einem Pinsel bemalt werden sollen; sonst ein Rechteck oder ein Kreis</translation>
     </message>
+    <message numerus="yes">
+        <source>Undone: %n short stroke(s)</source>
+        <translation>
+            <numerusform>Rückgängig gemacht: %n kurzer Strich</numerusform>
+            <numerusform>Rückgängig gemacht: %n kurze Striche</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Done again: %n short stroke(s)</source>
+        <translation>
+            <numerusform>Wieder ausgeführt: %n kurzer Strich</numerusform>
+            <numerusform>Wieder ausgeführt: %n kurze Striche</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>End the path, line or area that is being drawn</source>
+        <translation>Den Weg, die Linie oder die Fläche beenden, die gerade gezeichnet wird</translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -1288,6 +1302,14 @@
     <message>
         <source>Delay: %1 s</source>
         <translation>Verzögerung: %1 s</translation>
+    </message>
+    <message>
+        <source>Width, m</source>
+        <translation>Breite, m</translation>
+    </message>
+    <message>
+        <source>Width: %1 m</source>
+        <translation>Breite: %1 m</translation>
     </message>
 </context>
 <context>
@@ -4143,6 +4165,42 @@
         <source>As street lamps: it shines while sun and sky are dark</source>
         <translation>Wie Straßenlaternen: es leuchtet, solange Sonne und Himmel dunkel sind</translation>
     </message>
+    <message>
+        <source>Two Tones</source>
+        <translation>Zwei Töne</translation>
+    </message>
+    <message>
+        <source>Light and shade alone, without a step between</source>
+        <translation>Nur Licht und Schatten, ohne Stufe dazwischen</translation>
+    </message>
+    <message>
+        <source>Each click puts one there. Lines and areas: each click adds a corner, a drag draws freely; Enter or a double click ends it, a click on the first corner closes it.</source>
+        <translation>Jeder Klick setzt einen Ort. Linien und Flächen: Jeder Klick setzt eine Ecke, Ziehen zeichnet frei; Eingabe oder ein Doppelklick beendet sie, ein Klick auf die erste Ecke schließt sie.</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Rund</translation>
+    </message>
+    <message>
+        <source>A disc</source>
+        <translation>Eine Scheibe</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>A wall, a fence, a kerb: from corner to corner</source>
+        <translation>Eine Mauer, ein Zaun, ein Bordstein: von Ecke zu Ecke</translation>
+    </message>
+    <message>
+        <source>All that its corners enclose</source>
+        <translation>Alles, was ihre Ecken umschließen</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -6248,6 +6306,10 @@
         <source>It is named &quot;%1&quot; and %2 m large: scale %3 would make it as large as one.</source>
         <translation>Es heißt „%1“ und ist %2 m groß: Im Maßstab %3 wäre es so groß wie ein echtes.</translation>
     </message>
+    <message>
+        <source>%1 must be a list of [x, y, z], metres from the position: 2 or more of a line, 3 or more of an area, at most %2, none farther off than %3</source>
+        <translation>%1 muss eine Liste von [x, y, z] sein, Meter von der Position aus: 2 oder mehr einer Linie, 3 oder mehr einer Fläche, höchstens %2, keine weiter weg als %3</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -6303,6 +6365,25 @@
     </message>
 </context>
 <context>
+    <name>PlaceCorners</name>
+    <message>
+        <source>Move a corner</source>
+        <translation>Eine Ecke verschieben</translation>
+    </message>
+    <message>
+        <source>Take out a corner</source>
+        <translation>Eine Ecke herausnehmen</translation>
+    </message>
+    <message>
+        <source>A line keeps two corners, an area three.</source>
+        <translation>Eine Linie behält zwei Ecken, eine Fläche drei.</translation>
+    </message>
+    <message>
+        <source>Insert a corner</source>
+        <translation>Eine Ecke einfügen</translation>
+    </message>
+</context>
+<context>
     <name>PlaceHandles</name>
     <message>
         <source>Resize a place</source>
@@ -6351,6 +6432,10 @@
         <source>Take back a path of one place</source>
         <translation>Einen Weg aus nur einem Ort zurücknehmen</translation>
     </message>
+    <message>
+        <source>Take back a single corner</source>
+        <translation>Eine einzelne Ecke zurücknehmen</translation>
+    </message>
 </context>
 <context>
     <name>PlaceTool</name>
@@ -6369,10 +6454,6 @@
     <message>
         <source>Close a path</source>
         <translation>Einen Weg schließen</translation>
-    </message>
-    <message>
-        <source>Add: %1</source>
-        <translation>Hinzufügen: %1</translation>
     </message>
     <message>
         <source>Click: add a place to the path · + −: its size · on the first place: close the path · Enter: end it · V: move and resize places</source>
@@ -6409,6 +6490,14 @@
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Click: add a corner · Drag: draw freely · Enter or double click: end it · on the first corner: close it · + −: the width of a line · V: move corners</source>
+        <translation>Klick: eine Ecke setzen · Ziehen: frei zeichnen · Eingabe oder Doppelklick: beenden · auf die erste Ecke: schließen · + −: Breite einer Linie · V: Ecken verschieben</translation>
+    </message>
+    <message>
+        <source>Add: %1</source>
+        <translation>Hinzufügen: %1</translation>
     </message>
 </context>
 <context>
@@ -8488,8 +8577,8 @@
         </translation>
     </message>
     <message>
-        <source>Click: select · Drag: area, or move who is selected · Shift: add, Ctrl: toggle, areas from anywhere · Double click on a path: insert a place · L: lasso or rectangle · Delete: remove · F: show the selection</source>
-        <translation>Klick: auswählen · Ziehen: Bereich, oder Ausgewählte bewegen · Umschalt: dazu, Strg: umkehren, Bereiche von überall · Doppelklick auf einen Weg: Ort einfügen · L: Lasso oder Rechteck · Entf: entfernen · F: Auswahl zeigen</translation>
+        <source>Click: select · Drag: area, or move who is selected · Shift: add, Ctrl: toggle, areas from anywhere · Double click: a place into a path, a corner into a line or out of it · L: lasso or rectangle · Delete: remove · F: show the selection</source>
+        <translation>Klick: auswählen · Ziehen: Bereich, oder die Auswahl verschieben · Umschalt: dazu, Strg: umkehren, Bereiche von überall · Doppelklick: ein Ort in einen Weg, eine Ecke in eine Linie oder heraus · L: Lasso oder Rechteck · Entf: löschen · F: Auswahl zeigen</translation>
     </message>
 </context>
 <context>
@@ -8529,6 +8618,37 @@
     <message>
         <source>All of them stand where characters can walk.</source>
         <translation>Alle stehen, wo Figuren gehen können.</translation>
+    </message>
+</context>
+<context>
+    <name>ShapeDrag</name>
+    <message>
+        <source>Add a corner</source>
+        <translation>Eine Ecke setzen</translation>
+    </message>
+    <message>
+        <source>Nothing to stand on there: the pointer is on the sky, or on something upright. Click on the ground beside it.</source>
+        <translation>Dort ist nichts, worauf man stehen kann: Der Zeiger ist am Himmel oder an etwas Aufrechtem. Klicken Sie daneben auf den Boden.</translation>
+    </message>
+    <message>
+        <source>Draw corners</source>
+        <translation>Ecken zeichnen</translation>
+    </message>
+    <message>
+        <source>That is too far away or has more than %1 corners: press Enter, and begin another one.</source>
+        <translation>Das ist zu weit weg oder hat mehr als %1 Ecken: Drücken Sie die Eingabetaste und beginnen Sie eine neue.</translation>
+    </message>
+    <message>
+        <source>Close a line</source>
+        <translation>Eine Linie schließen</translation>
+    </message>
+    <message>
+        <source>Close it</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
     </message>
 </context>
 <context>
@@ -8640,6 +8760,17 @@
     <message>
         <source>Nobody is selected for whom “%1” could be recalled.</source>
         <translation>Niemand ist ausgewählt, für den „%1“ abgerufen werden könnte.</translation>
+    </message>
+</context>
+<context>
+    <name>StatureNote</name>
+    <message>
+        <source>%1 m tall</source>
+        <translation>%1 m groß</translation>
+    </message>
+    <message>
+        <source>%1 to %2 m tall</source>
+        <translation>%1 bis %2 m groß</translation>
     </message>
 </context>
 <context>
@@ -10076,6 +10207,18 @@ Verworfen ist sie fort.</translation>
         <source>Quality of the picture</source>
         <translation>Qualität des Bildes</translation>
     </message>
+    <message>
+        <source>Take back short strokes in a row together</source>
+        <translation>Kurze Striche hintereinander zusammen rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Clicks and dabs that follow each other within a second</source>
+        <translation>Klicks und Tupfer, die innerhalb einer Sekunde aufeinander folgen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::RecordPanel</name>
@@ -10788,6 +10931,29 @@ Verworfen ist sie fort.</translation>
         <source>%1 &lt;a href=&quot;people&quot;&gt;Select them&lt;/a&gt;</source>
         <translation>%1 &lt;a href=&quot;people&quot;&gt;Auswählen&lt;/a&gt;</translation>
     </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Change the shape of a place</source>
+        <translation>Die Form eines Ortes ändern</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n corner(s), %1 m²</source>
+        <translation>
+            <numerusform>%n Ecke, %1 m²</numerusform>
+            <numerusform>%n Ecken, %1 m²</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Half width, m</source>
+        <translation>Halbe Breite, m</translation>
+    </message>
+    <message>
+        <source>Beyond its sides, m</source>
+        <translation>Über die Seiten hinaus, m</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::EnvironmentMenu</name>
@@ -10883,13 +11049,6 @@ Verworfen ist sie fort.</translation>
             <numerusform>%n Figuren</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n in it · %1 m</source>
-        <translation>
-            <numerusform>%n darin · %1 m</numerusform>
-            <numerusform>%n darin · %1 m</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
@@ -10901,6 +11060,21 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Rename a place</source>
         <translation>Einen Ort umbenennen</translation>
+    </message>
+    <message>
+        <source>%1 m long</source>
+        <translation>%1 m lang</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n in it · %1</source>
+        <translation>
+            <numerusform>%n darin · %1</numerusform>
+            <numerusform>%n darin · %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -396,10 +396,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>End the path that is being painted</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Pat&amp;hs</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1123,6 +1119,24 @@
         <source>Draw a line round those to select, or to paint with a brush; else a rectangle, or a circle</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>Undone: %n short stroke(s)</source>
+        <translation>
+            <numerusform>Undone: %n short stroke</numerusform>
+            <numerusform>Undone: %n short strokes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Done again: %n short stroke(s)</source>
+        <translation>
+            <numerusform>Done again: %n short stroke</numerusform>
+            <numerusform>Done again: %n short strokes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>End the path, line or area that is being drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BrushStart</name>
@@ -1287,6 +1301,14 @@
     </message>
     <message>
         <source>Delay: %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width: %1 m</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4143,6 +4165,42 @@
         <source>As street lamps: it shines while sun and sky are dark</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Two Tones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light and shade alone, without a step between</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each click puts one there. Lines and areas: each click adds a corner, a drag draws freely; Enter or a double click ends it, a click on the first corner closes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A disc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A wall, a fence, a kerb: from corner to corner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All that its corners enclose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -6248,6 +6306,10 @@
         <source>It is named &quot;%1&quot; and %2 m large: scale %3 would make it as large as one.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 must be a list of [x, y, z], metres from the position: 2 or more of a line, 3 or more of an area, at most %2, none farther off than %3</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -6303,6 +6365,25 @@
     </message>
 </context>
 <context>
+    <name>PlaceCorners</name>
+    <message>
+        <source>Move a corner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take out a corner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A line keeps two corners, an area three.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Insert a corner</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>PlaceHandles</name>
     <message>
         <source>Resize a place</source>
@@ -6351,6 +6432,10 @@
         <source>Take back a path of one place</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Take back a single corner</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PlaceTool</name>
@@ -6368,10 +6453,6 @@
     </message>
     <message>
         <source>Close a path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6408,6 +6489,14 @@
     </message>
     <message>
         <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: add a corner · Drag: draw freely · Enter or double click: end it · on the first corner: close it · + −: the width of a line · V: move corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8488,7 +8577,7 @@
         </translation>
     </message>
     <message>
-        <source>Click: select · Drag: area, or move who is selected · Shift: add, Ctrl: toggle, areas from anywhere · Double click on a path: insert a place · L: lasso or rectangle · Delete: remove · F: show the selection</source>
+        <source>Click: select · Drag: area, or move who is selected · Shift: add, Ctrl: toggle, areas from anywhere · Double click: a place into a path, a corner into a line or out of it · L: lasso or rectangle · Delete: remove · F: show the selection</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8528,6 +8617,37 @@
     </message>
     <message>
         <source>All of them stand where characters can walk.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ShapeDrag</name>
+    <message>
+        <source>Add a corner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to stand on there: the pointer is on the sky, or on something upright. Click on the ground beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That is too far away or has more than %1 corners: press Enter, and begin another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close a line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8639,6 +8759,17 @@
     </message>
     <message>
         <source>Nobody is selected for whom “%1” could be recalled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StatureNote</name>
+    <message>
+        <source>%1 m tall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to %2 m tall</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10071,6 +10202,18 @@ Thrown away, it is gone.</source>
         <source>Quality of the picture</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Take back short strokes in a row together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clicks and dabs that follow each other within a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::RecordPanel</name>
@@ -10781,6 +10924,29 @@ Thrown away, it is gone.</source>
         <source>%1 &lt;a href=&quot;people&quot;&gt;Select them&lt;/a&gt;</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the shape of a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n corner(s), %1 m²</source>
+        <translation>
+            <numerusform>%n corner, %1 m²</numerusform>
+            <numerusform>%n corners, %1 m²</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Half width, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beyond its sides, m</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::EnvironmentMenu</name>
@@ -10876,13 +11042,6 @@ Thrown away, it is gone.</source>
             <numerusform>%n characters</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n in it · %1 m</source>
-        <translation>
-            <numerusform>%n in it · %1 m</numerusform>
-            <numerusform>%n in it · %1 m</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 m</source>
         <translation type="unfinished"></translation>
@@ -10894,6 +11053,21 @@ Thrown away, it is gone.</source>
     <message>
         <source>Rename a place</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n in it · %1</source>
+        <translation>
+            <numerusform>%n in it · %1</numerusform>
+            <numerusform>%n in it · %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>

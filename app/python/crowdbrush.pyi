@@ -2740,7 +2740,7 @@ class RelationKind(Entry):
 
 class Place(Entry):
     """A spot with a size on the ground."""
-    def __init__(self, *, id: int, name: str = ..., position: Sequence[float], radius: float = ..., color: Union[str, Sequence[int]] = ..., role: Literal["spot", "obstacle", "attractor", "repeller", "exit", "slow", "forbidden", "preferred"] = ..., capacity: int = ..., speed_share: float = ...) -> None:
+    def __init__(self, *, id: int, name: str = ..., position: Sequence[float], radius: float = ..., color: Union[str, Sequence[int]] = ..., role: Literal["spot", "obstacle", "attractor", "repeller", "exit", "slow", "forbidden", "preferred"] = ..., capacity: int = ..., speed_share: float = ..., shape: Literal["round", "line", "area"] = ..., corners: Sequence[Sequence[float]] = ...) -> None:
         ...
     id: int
     """by which others name it, never 0; must be given"""
@@ -2758,6 +2758,11 @@ class Place(Entry):
     """how many have room; 0: as many as can stand in it; 0 to 100000; begins as 0"""
     speed_share: float
     """of a slow place: share of the speed that people would walk with; 0.05 to 1; begins as 0.5"""
+    shape: Literal["round", "line", "area"]
+    """what all of it lies around, no farther off than its radius: its position, a line along its
+    corners, or what they enclose; begins as 'round'"""
+    corners: List[List[float]]
+    """of a line or an area, in order: metres from the position"""
 
 
 class Branch(Entry):
@@ -2961,7 +2966,7 @@ class LookLight(Entry):
 
 class Look(Entry):
     """A way of drawing that belongs to the scene."""
-    def __init__(self, *, id: int, name: str = ..., style: Literal["plain", "lit", "cartoon", "clay", "silhouettes", "blueprint", "wireframe", "property"] = ..., by: str = ..., light: Literal["scene", "noon", "afternoon", "dusk", "overcast", "night", "studio", "own"] = ..., lamps: bool = ..., shadows: bool = ..., own_background: bool = ..., background: Union[str, Sequence[int]] = ..., ground: bool = ..., own_outline: bool = ..., outline_width: float = ..., outline: Union[str, Sequence[int]] = ..., own_light: Union[LookLight, Dict[str, Any]] = ...) -> None:
+    def __init__(self, *, id: int, name: str = ..., style: Literal["plain", "lit", "cartoon", "clay", "silhouettes", "blueprint", "wireframe", "property"] = ..., by: str = ..., two_tones: bool = ..., light: Literal["scene", "noon", "afternoon", "dusk", "overcast", "night", "studio", "own"] = ..., lamps: bool = ..., shadows: bool = ..., own_background: bool = ..., background: Union[str, Sequence[int]] = ..., ground: bool = ..., own_outline: bool = ..., outline_width: float = ..., outline: Union[str, Sequence[int]] = ..., own_light: Union[LookLight, Dict[str, Any]] = ...) -> None:
         ...
     id: int
     """of no other look of the scene; must be given"""
@@ -2971,6 +2976,8 @@ class Look(Entry):
     """how surfaces are drawn; begins as 'lit'"""
     by: str
     """what people are coloured by, of "property"; begins as 'template'"""
+    two_tones: bool
+    """of "cartoon": light and shade alone, without a step between; begins as False"""
     light: Literal["scene", "noon", "afternoon", "dusk", "overcast", "night", "studio", "own"]
     """sun and sky: those of the scene, ready-made ones, or its own; begins as 'scene'"""
     lamps: bool
