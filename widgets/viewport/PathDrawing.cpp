@@ -27,8 +27,9 @@ constexpr float kJumpOpacity = 0.3F;
 constexpr float kBright = 0.72F;    ///< from the colour towards white
 constexpr float kSideWidth = 0.06F; ///< metres to either side, of an area's sides
 constexpr float kCornerRadius = 0.18F;
-constexpr float kWayNarrow = 0.07F; ///< metres to either side, of a way around something
-constexpr float kWayWide = 0.2F;
+constexpr float kWayNarrow = 0.04F; ///< metres to either side, of a way around something
+constexpr float kWayWide = 0.1F;
+constexpr float kWayShade = 0.4F;    ///< of the colour
 constexpr float kAsideMetres = 0.5F; ///< what is nearer to the straight line is straight on
 constexpr float kShortestPiece = 0.05F;
 
@@ -251,8 +252,7 @@ void PathDrawing::corners(const model::Place& place)
 {
     const glm::vec4 shown(bright(colorOf(place.color)), 1.0F);
     for (const glm::vec3& corner : model::cornersOf(place)) {
-        ring({corner, 0.0F, std::max(kCornerRadius, place.radius + 0.05F)}, Layer::SelectedRing,
-             shown);
+        ring({corner, 0.0F, kCornerRadius}, Layer::SelectedRing, shown);
     }
 }
 
@@ -277,8 +277,8 @@ void PathDrawing::arrows(const model::Place& from, const model::Place& to, glm::
 void PathDrawing::way(const std::vector<glm::vec3>& corners, const model::Place& from,
                       const model::Place& to, glm::vec3 color)
 {
-    const float half = std::clamp(0.1F * std::min(from.radius, to.radius), kWayNarrow, kWayWide);
-    const glm::vec4 shown(bright(color), 1.0F);
+    const float half = std::clamp(0.04F * std::min(from.radius, to.radius), kWayNarrow, kWayWide);
+    const glm::vec4 shown(color * kWayShade, 1.0F); // told from the lane and from its bright border
     for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
         const float metres = flatDistance(corners[i], corners[i + 1]);
         if (metres < kShortestPiece) {
@@ -287,10 +287,10 @@ void PathDrawing::way(const std::vector<glm::vec3>& corners, const model::Place&
         band({corners[i], corners[i + 1], {-half, half}, {-half, half}}, Layer::Way, shown);
         const glm::vec3 step = (corners[i + 1] - corners[i]) / metres;
         const glm::vec3 along(step.x, 0.0F, step.z);
-        const float size = std::min({kArrowMetres, 0.5F * metres, 6.0F * half});
+        const float size = std::min({kArrowMetres, 0.5F * metres, 8.0F * half});
         const glm::vec3 middle = m_sheets.onGround(glm::mix(corners[i], corners[i + 1], 0.5F),
                                                    GroundSheets::reachBetween(metres, 0.5F));
-        arrow(middle + along * (0.5F * size), along, size, Layer::Way, {color, 1.0F});
+        arrow(middle + along * (0.5F * size), along, size, Layer::Way, shown);
     }
 }
 
