@@ -231,9 +231,10 @@ void EnvironmentDock::showShape(const model::Place& place)
     m_shapeFacts->setText(
         tr("%n corner(s), %1 m²", nullptr, static_cast<int>(place.corners.size()))
             .arg(QLocale().toString(static_cast<double>(model::areaOf(place)), 'f', 1)));
+    m_shapeFacts->setToolTip(m_shapeFacts->text()); // a narrow panel cuts it
     const bool isLine = place.shape == model::PlaceShape::Line;
     m_sizeLabel->setText(isLine                                   ? tr("Half width, m")
-                         : place.shape == model::PlaceShape::Area ? tr("Beyond its sides, m")
+                         : place.shape == model::PlaceShape::Area ? tr("Margin, m")
                                                                   : tr("Radius, m"));
 }
 
