@@ -6499,6 +6499,10 @@
         <source>Add: %1</source>
         <translation>Hinzufügen: %1</translation>
     </message>
+    <message>
+        <source>Click: add a corner · Drag: draw freely · Enter or double click: end it · on the first corner: close it · V: move corners</source>
+        <translation>Klick: eine Ecke setzen · Ziehen: frei zeichnen · Eingabe oder Doppelklick: beenden · auf die erste Ecke: schließen · V: Ecken verschieben</translation>
+    </message>
 </context>
 <context>
     <name>Properties</name>
@@ -10951,8 +10955,8 @@ Verworfen ist sie fort.</translation>
         <translation>Halbe Breite, m</translation>
     </message>
     <message>
-        <source>Beyond its sides, m</source>
-        <translation>Über die Seiten hinaus, m</translation>
+        <source>Margin, m</source>
+        <translation>Rand, m</translation>
     </message>
 </context>
 <context>

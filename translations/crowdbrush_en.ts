@@ -6499,6 +6499,10 @@
         <source>Add: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Click: add a corner · Drag: draw freely · Enter or double click: end it · on the first corner: close it · V: move corners</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Properties</name>
@@ -10944,7 +10948,7 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Beyond its sides, m</source>
+        <source>Margin, m</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -160,8 +160,10 @@ void TestShapeTools::aDragDrawsFreely()
     QVERIFY2(disc.corners.size() > 8 && disc.corners.size() < 40,
              QByteArray::number(static_cast<int>(disc.corners.size())));
     QVERIFY(std::abs(model::areaOf(disc) - 113.0F) < 8.0F);
-    QCOMPARE(lawn.document.undoStack().count(), before + 2);  // where it begins, and the rest
+    QCOMPARE(lawn.document.undoStack().count(), before + 1);
     QCOMPARE(lawn.state.paths().shaped(), model::PlaceId{0}); // that was all of it
+    lawn.document.undoStack().undo();
+    QVERIFY(lawn.places().empty());
 }
 
 void TestShapeTools::whatIsDrawnIsShown()
@@ -302,6 +304,18 @@ void TestShapeTools::keysChangeTheWidth()
     QVERIFY(width() > before);
     lawn.click(0.0F, 0.0F);
     QCOMPARE(lawn.places().back().radius, 0.5F * width());
+    // As far and in the same word when it is chosen.
+    lawn.click(4.0F, 0.0F);
+    lawn.key(Qt::Key_Return);
+    const float painted = width();
+    lawn.key(Qt::Key_Plus);
+    const float more = width() - painted;
+    lawn.state.setTool(ToolId::Select);
+    lawn.click(2.0F, 0.0F);
+    const QSignalSpy said(&lawn.state, &EditorState::statusMessage);
+    lawn.key(Qt::Key_Plus);
+    QVERIFY(std::abs(2.0F * lawn.places().back().radius - painted - more) < 1e-4F);
+    QVERIFY(said.last().front().toString().startsWith(QStringLiteral("Width")));
 }
 
 void TestShapeTools::whatIsTooFarAwayIsSaid()

@@ -28,16 +28,6 @@ constexpr double kCornerPixels = 8.0;
 constexpr double kSidePixels = 5.0;
 constexpr double kCornerSlack = 4.0;
 
-double distanceToSide(const QPointF& pixel, const QPointF& from, const QPointF& to)
-{
-    const QPointF along = to - from;
-    const double square = QPointF::dotProduct(along, along);
-    const double share =
-        square > 0.0 ? std::clamp(QPointF::dotProduct(pixel - from, along) / square, 0.0, 1.0)
-                     : 0.0;
-    return QLineF(pixel, from + along * share).length();
-}
-
 std::size_t sidesOf(const model::Place& place)
 {
     return place.shape == model::PlaceShape::Area ? place.corners.size() : place.corners.size() - 1;
@@ -155,6 +145,16 @@ bool takeOut(model::Place& place, std::vector<glm::vec3>& corners, std::size_t c
 }
 
 } // namespace
+
+double distanceToSide(const QPointF& pixel, const QPointF& from, const QPointF& to)
+{
+    const QPointF along = to - from;
+    const double square = QPointF::dotProduct(along, along);
+    const double share =
+        square > 0.0 ? std::clamp(QPointF::dotProduct(pixel - from, along) / square, 0.0, 1.0)
+                     : 0.0;
+    return QLineF(pixel, from + along * share).length();
+}
 
 std::optional<PlaceHit> shapeAt(const model::View& view, const model::Place& place,
                                 const QPointF& pixel)

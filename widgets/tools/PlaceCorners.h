@@ -8,6 +8,8 @@
 /// Corners of places that are lines or areas, as something to take hold of in the picture.
 namespace crowd::widgets {
 
+/// Pixels from one to the nearest of a straight side.
+[[nodiscard]] double distanceToSide(const QPointF& pixel, const QPointF& from, const QPointF& to);
 /// A corner of this place under a pixel, or one of its sides (no corner). Nothing of a round one.
 [[nodiscard]] std::optional<PlaceHit> shapeAt(const model::View& view, const model::Place& place,
                                               const QPointF& pixel);

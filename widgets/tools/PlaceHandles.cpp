@@ -51,12 +51,7 @@ double distanceTo(const QPolygonF& outline, const QPointF& pixel)
 {
     double nearest = 1e9;
     for (int i = 0; i + 1 < outline.size(); ++i) {
-        const QPointF along = outline[i + 1] - outline[i];
-        const QPointF from = pixel - outline[i];
-        const double square = QPointF::dotProduct(along, along);
-        const double share =
-            square > 0.0 ? std::clamp(QPointF::dotProduct(from, along) / square, 0.0, 1.0) : 0.0;
-        nearest = std::min(nearest, QLineF(pixel, outline[i] + along * share).length());
+        nearest = std::min(nearest, distanceToSide(pixel, outline[i], outline[i + 1]));
     }
     return nearest;
 }
@@ -376,22 +371,43 @@ std::optional<glm::vec3> groundUnder(const ToolContext& context, const ToolInput
     return isGround ? std::optional<glm::vec3>(hit->point) : std::nullopt;
 }
 
+namespace {
+
+/// A brush as large as a place: its main number is what keys change.
+model::BrushSettings brushOf(const model::Place& place)
+{
+    if (place.shape == model::PlaceShape::Round) {
+        model::BrushSettings brush = model::initialBrush(model::BrushKind::Path);
+        brush.place()->radiusMetres = place.radius;
+        return brush;
+    }
+    model::BrushSettings brush = model::initialBrush(model::BrushKind::Environment);
+    auto& settings = brush.as<model::EnvironmentSettings>();
+    settings.shape = model::PlaceShape::Line; // of an area: how far it goes beyond its sides
+    settings.widthMetres = 2.0F * place.radius;
+    return brush;
+}
+
+} // namespace
+
 void resizePlaces(EditorState& state, int steps)
 {
     const std::vector<model::PlaceId> places = state.paths().places();
-    model::BrushSettings size = state.brush(model::BrushKind::Path);
     const QString text = places.size() == 1 ? PlaceHandlesText::tr("Resize a place")
                                             : PlaceHandlesText::tr("Resize places");
+    QString said;
     state.document().edit(text, [&](model::SceneEdit& edit) {
         for (const model::PlaceId id : places) {
             model::Place place = *state.scene().findPlace(id);
-            size.place()->radiusMetres = place.radius;
-            size = steppedMainNumber(size, steps);
-            place.radius = size.place()->radiusMetres;
+            const model::BrushSettings size = steppedMainNumber(brushOf(place), steps);
+            place.radius = place.shape == model::PlaceShape::Round
+                               ? size.place()->radiusMetres
+                               : 0.5F * size.as<model::EnvironmentSettings>().widthMetres;
             edit.changePlace(place);
+            said = mainNumberText(size);
         }
     });
-    state.showStatus(mainNumberText(size));
+    state.showStatus(said);
 }
 
 void makePathOfPlaces(EditorState& state, model::PathKind kind)

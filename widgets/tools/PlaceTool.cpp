@@ -236,6 +236,13 @@ PlaceTool::PlaceTool(const ToolContext& context, BrushKind kind) : m_context(con
 
 QString PlaceTool::hint() const
 {
+    if (makesShapes(m_context, m_kind) &&
+        m_context.state.brush(m_kind).as<model::EnvironmentSettings>().shape ==
+            model::PlaceShape::Area) {
+        return PlaceToolText::tr("Click: add a corner · Drag: draw freely · Enter or double click: "
+                                 "end it · on the first "
+                                 "corner: close it · V: move corners");
+    }
     if (makesShapes(m_context, m_kind)) {
         return PlaceToolText::tr("Click: add a corner · Drag: draw freely · Enter or double click: "
                                  "end it · on the first "

@@ -112,7 +112,6 @@ public:
         }
         if (const auto ground = groundUnder(context, press)) {
             context.state.showStatus({}); // of the click before
-            add({*ground}, ShapeDragText::tr("Add a corner"));
             m_trail = {*ground};
         } else {
             context.state.showStatus(ShapeDragText::tr(
@@ -138,13 +137,17 @@ public:
     void release(const ToolInput& input) override
     {
         update(input);
-        if (m_isOver || m_trail.size() < 2) {
+        if (m_isOver) {
             return;
         }
-        std::vector<glm::vec3> drawn;
-        keepBends(m_trail, 0, m_trail.size() - 1, drawn);
-        add(drawn, ShapeDragText::tr("Draw corners"));
-        if (m_hasBegun) {
+        const bool isDrawn = m_trail.size() > 1;
+        std::vector<glm::vec3> corners{m_trail.front()};
+        if (isDrawn) {
+            keepBends(m_trail, 0, m_trail.size() - 1, corners);
+        }
+        add(corners,
+            isDrawn ? ShapeDragText::tr("Draw corners") : ShapeDragText::tr("Add a corner"));
+        if (m_hasBegun && isDrawn) {
             m_context.state.paths().end();
         }
     }
@@ -173,7 +176,7 @@ private:
         EditorState& state = m_context.state;
         const model::Place* shaped = shapedPlace(m_context);
         if (shaped == nullptr) {
-            begin(points.front());
+            begin(points);
             return;
         }
         model::Place place = *shaped;
@@ -181,22 +184,33 @@ private:
         corners.insert(corners.end(), points.begin(), points.end());
         shapeBy(place, corners, brushOf(m_context).shape);
         if (!model::isWhole(place)) {
-            state.showStatus(ShapeDragText::tr("That is too far away or has more than %1 corners: "
-                                               "press Enter, and begin another one.")
-                                 .arg(model::kMostCorners));
+            sayTooMuch();
             return;
         }
         state.document().edit(text, [&](model::SceneEdit& edit) { edit.changePlace(place); });
     }
 
-    void begin(const glm::vec3& ground)
+    void begin(const std::vector<glm::vec3>& points)
     {
         const model::EnvironmentSettings& brush = brushOf(m_context);
         model::Place post;
-        post.position = ground;
+        post.position = points.front();
         post.radius = brush.shape == model::PlaceShape::Line ? 0.5F * brush.widthMetres
                                                              : model::kMinPlaceRadius;
+        shapeBy(post, points, brush.shape);
+        if (!model::isWhole(post)) {
+            sayTooMuch();
+            return;
+        }
         m_context.state.paths().shape(addEnvironment(m_context.state, post));
+    }
+
+    void sayTooMuch() const
+    {
+        m_context.state.showStatus(
+            ShapeDragText::tr("That is too far away or has more than %1 corners: press Enter, and "
+                              "begin another one.")
+                .arg(model::kMostCorners));
     }
 
     void close(model::Place place)
