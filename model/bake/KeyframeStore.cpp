@@ -11,23 +11,39 @@
 #include <utility>
 
 #include "model/bake/ClipBaker.h"
+#include "model/bake/Impostor.h"
 #include "model/bake/SharedClips.h"
 
 namespace crowd::model {
 
 namespace {
 
-using ClipKey = std::pair<const Template*, int>;
+constexpr int kKeyframes = -1; ///< instead of a band of impostors
 
-/// A clip that was asked for. `owner` tells a template from a later one at the same address.
+struct BakedKey
+{
+    const Template* asset;
+    int clipIndex;
+    int band; ///< or kKeyframes
+
+    // NOLINTNEXTLINE(modernize-use-nullptr): the checker means the compared zero
+    friend auto operator<=>(const BakedKey&, const BakedKey&) = default;
+};
+
+/// What was asked for: a clip, or its impostors in a band. `owner` tells a template from a later
+/// one at the same address.
 struct Kept
 {
     std::weak_ptr<const Template> owner;
-    BakedClipPtr clip; ///< the first keyframe until isComplete
+    BakedClipPtr clip;                  ///< the first keyframe until isComplete; null of impostors
+    ImpostorSetPtr impostors = nullptr; ///< null until isComplete
     bool isComplete = false;
     bool isScheduled = false;
-    std::size_t fullBytes = 0;     ///< what the complete clip takes
+    std::size_t fullBytes = 0;     ///< what it takes when complete
     std::size_t reservedBytes = 0; ///< counted against the budget
+
+    /// Of what stands in until it is complete.
+    [[nodiscard]] std::size_t standInBytes() const { return clip ? clip->bytes() : 0; }
 };
 
 /// Holds the template while it waits and is baked, and not a moment longer: whoever waited for it
@@ -36,7 +52,34 @@ struct Job
 {
     TemplatePtr asset;
     int clipIndex = 0;
+    int band = kKeyframes;
+    BakedClipPtr of{}; ///< complete, that impostors are made of
+
+    [[nodiscard]] BakedKey key() const { return {asset.get(), clipIndex, band}; }
 };
+
+/// What a job makes: neither of them when it was given up.
+struct Made
+{
+    BakedClipPtr clip;
+    ImpostorSetPtr impostors;
+};
+
+Made bake(const Job& job, const std::function<bool()>& isCancelled)
+{
+    if (job.band != kKeyframes) {
+        return {nullptr, bakeImpostors(*job.asset, job.clipIndex, *job.of, job.band, isCancelled)};
+    }
+    BakedClipPtr clip = findSharedClip(job.asset, job.clipIndex);
+    if (!clip) {
+        const Clip& wanted = job.asset->clips[static_cast<std::size_t>(job.clipIndex)];
+        clip = bakeClip(*job.asset, job.clipIndex, wanted.keyframeCount(), isCancelled);
+        if (clip) {
+            shareClip(job.asset, job.clipIndex, clip);
+        }
+    }
+    return {std::move(clip), nullptr};
+}
 
 int workerCount()
 {
@@ -52,10 +95,11 @@ struct KeyframeStore::Private
     mutable std::mutex mutex;
     std::condition_variable_any jobAdded;
     std::condition_variable jobDone;
-    std::map<ClipKey, Kept> kept;
+    std::map<BakedKey, Kept> kept;
     std::deque<Job> queue;
     int running = 0;
-    int finished = 0;
+    int runningClips = 0;
+    int finished = 0; ///< clips
     std::size_t reservedBytes = 0;
     std::size_t budgetBytes;
     bool isBudgetReached = false;
@@ -67,8 +111,12 @@ struct KeyframeStore::Private
     std::vector<std::jthread> workers; ///< last: ends first
 
     void forgetExpired();
+    void forgetImpostors();
+    Kept* find(const BakedKey& key);
     Kept addFirstKeyframe(const TemplatePtr& asset, int clipIndex);
-    void schedule(const TemplatePtr& asset, int clipIndex, Kept& entry);
+    void ask(Job job, Kept& entry);
+    void schedule(Job job, Kept& entry);
+    void finish(const Job& job, Made made);
     void unschedule(const Job& job);
     bool runOne(std::unique_lock<std::mutex>& lock);
     void work(const std::stop_token& stop);
@@ -86,6 +134,36 @@ void KeyframeStore::Private::forgetExpired()
     });
 }
 
+/// They make room for what cannot be done without; who has drawn them has them on the card.
+void KeyframeStore::Private::forgetImpostors()
+{
+    std::erase_if(kept, [this](const auto& item) {
+        const bool isForgotten = item.first.band != kKeyframes && item.second.isComplete;
+        reservedBytes -= isForgotten ? item.second.reservedBytes : 0;
+        return isForgotten;
+    });
+}
+
+/// Null where it was not asked for, or of another template at the same address.
+Kept* KeyframeStore::Private::find(const BakedKey& key)
+{
+    const auto found = kept.find(key);
+    if (found != kept.end() && found->second.owner.expired()) {
+        forgetExpired();
+        return nullptr;
+    }
+    return found != kept.end() ? &found->second : nullptr;
+}
+
+/// Unless it is there or on its way.
+void KeyframeStore::Private::ask(Job job, Kept& entry)
+{
+    if (!entry.isComplete && !entry.isScheduled && !isPaused) {
+        forgetExpired();
+        schedule(std::move(job), entry);
+    }
+}
+
 /// A clip that needs no more than its first keyframe is complete with it, and so is one that
 /// somebody else has baked: that takes no more memory.
 Kept KeyframeStore::Private::addFirstKeyframe(const TemplatePtr& asset, int clipIndex)
@@ -93,9 +171,9 @@ Kept KeyframeStore::Private::addFirstKeyframe(const TemplatePtr& asset, int clip
     if (BakedClipPtr shared = findSharedClip(asset, clipIndex)) {
         const std::size_t bytes = shared->bytes();
         reservedBytes += bytes;
-        return {asset, std::move(shared), true, false, bytes, bytes};
+        return {asset, std::move(shared), nullptr, true, false, bytes, bytes};
     }
-    Kept entry{asset, bakeClip(*asset, clipIndex, 1)};
+    Kept entry{asset, bakeClip(*asset, clipIndex, 1), nullptr};
     entry.fullBytes = bakedBytes(*asset, clipIndex);
     entry.reservedBytes = entry.clip->bytes();
     const Clip& clip = asset->clips[static_cast<std::size_t>(clipIndex)];
@@ -106,30 +184,51 @@ Kept KeyframeStore::Private::addFirstKeyframe(const TemplatePtr& asset, int clip
 
 /// Space is set aside when a clip is asked for, so that what fits depends on the order of asking
 /// and not on the speed of the workers. What did not fit is tried again when it is asked for again.
-void KeyframeStore::Private::schedule(const TemplatePtr& asset, int clipIndex, Kept& entry)
+void KeyframeStore::Private::schedule(Job job, Kept& entry)
 {
-    if (reservedBytes - entry.reservedBytes + entry.fullBytes > budgetBytes) {
-        isBudgetReached = true;
+    const auto isTooMuch = [&] {
+        return reservedBytes - entry.reservedBytes + entry.fullBytes > budgetBytes;
+    };
+    if (isTooMuch() && job.band == kKeyframes) {
+        forgetImpostors();
+    }
+    if (isTooMuch()) {
+        isBudgetReached = isBudgetReached || job.band == kKeyframes; // else triangles are drawn
         return;
     }
     reservedBytes += entry.fullBytes - entry.reservedBytes;
     entry.reservedBytes = entry.fullBytes;
     entry.isScheduled = true;
-    queue.push_back({asset, clipIndex});
+    queue.push_back(std::move(job));
     jobAdded.notify_one();
 }
 
 /// Back to the first keyframe alone, until it is asked for again.
 void KeyframeStore::Private::unschedule(const Job& job)
 {
-    const auto found = kept.find({job.asset.get(), job.clipIndex});
+    const auto found = kept.find(job.key());
     if (found == kept.end() || found->second.isComplete) {
         return;
     }
     Kept& entry = found->second;
-    reservedBytes -= entry.reservedBytes - entry.clip->bytes();
-    entry.reservedBytes = entry.clip->bytes();
+    reservedBytes -= entry.reservedBytes - entry.standInBytes();
+    entry.reservedBytes = entry.standInBytes();
     entry.isScheduled = false;
+}
+
+void KeyframeStore::Private::finish(const Job& job, Made made)
+{
+    const auto found = kept.find(job.key());
+    if (!made.clip && !made.impostors) {
+        unschedule(job);
+    } else if (found != kept.end()) {
+        Kept& entry = found->second;
+        entry.clip = std::move(made.clip);
+        entry.impostors = std::move(made.impostors);
+        entry.isComplete = true;
+        finished += entry.clip ? 1 : 0;
+        ++version;
+    }
 }
 
 /// Takes a job, if there is one, and bakes it without the lock.
@@ -141,27 +240,14 @@ bool KeyframeStore::Private::runOne(std::unique_lock<std::mutex>& lock)
     Job job = std::move(queue.front());
     queue.pop_front();
     ++running;
+    const int clips = job.band == kKeyframes ? 1 : 0;
+    runningClips += clips;
     lock.unlock();
-    const Clip& clip = job.asset->clips[static_cast<std::size_t>(job.clipIndex)];
-    BakedClipPtr baked = findSharedClip(job.asset, job.clipIndex);
-    if (!baked) {
-        baked = bakeClip(*job.asset, job.clipIndex, clip.keyframeCount(),
-                         [this] { return isStopping.load() || isPaused.load(); });
-        if (baked) {
-            shareClip(job.asset, job.clipIndex, baked);
-        }
-    }
+    Made made = bake(job, [this] { return isStopping.load() || isPaused.load(); });
     lock.lock();
     --running;
-    const auto found = kept.find({job.asset.get(), job.clipIndex});
-    if (baked && found != kept.end()) {
-        found->second.clip = std::move(baked);
-        found->second.isComplete = true;
-        ++finished;
-        ++version;
-    } else if (!baked) {
-        unschedule(job);
-    }
+    runningClips -= clips;
+    finish(job, std::move(made));
     job.asset.reset();
     jobDone.notify_all();
     lock.unlock();
@@ -207,22 +293,32 @@ KeyframeStore::~KeyframeStore()
 KeyframeStore::Entry KeyframeStore::clip(const TemplatePtr& asset, int clipIndex)
 {
     const std::lock_guard<std::mutex> guard(m_private->mutex);
-    const ClipKey key{asset.get(), clipIndex};
-    auto found = m_private->kept.find(key);
-    if (found != m_private->kept.end() && found->second.owner.expired()) {
+    const BakedKey key{asset.get(), clipIndex, kKeyframes};
+    Kept* entry = m_private->find(key);
+    if (entry == nullptr) {
         m_private->forgetExpired();
-        found = m_private->kept.end();
+        entry = &m_private->kept.emplace(key, m_private->addFirstKeyframe(asset, clipIndex))
+                     .first->second;
     }
-    if (found == m_private->kept.end()) {
+    m_private->ask({asset, clipIndex}, *entry);
+    return {entry->clip, entry->isComplete};
+}
+
+ImpostorSetPtr KeyframeStore::impostors(const TemplatePtr& asset, int clipIndex,
+                                        const BakedClipPtr& clip, int band)
+{
+    const std::lock_guard<std::mutex> guard(m_private->mutex);
+    const BakedKey key{asset.get(), clipIndex, band};
+    Kept* entry = m_private->find(key);
+    if (entry == nullptr) {
         m_private->forgetExpired();
-        found = m_private->kept.emplace(key, m_private->addFirstKeyframe(asset, clipIndex)).first;
+        Kept fresh{asset, nullptr, nullptr};
+        fresh.fullBytes =
+            impostorLayout(*asset, clipIndex, *clip, band).texelCount() * sizeof(ImpostorTexel);
+        entry = &m_private->kept.emplace(key, std::move(fresh)).first->second;
     }
-    if (Kept& entry = found->second;
-        !entry.isComplete && !entry.isScheduled && !m_private->isPaused) {
-        m_private->forgetExpired();
-        m_private->schedule(asset, clipIndex, entry);
-    }
-    return {found->second.clip, found->second.isComplete};
+    m_private->ask({asset, clipIndex, band, clip}, *entry);
+    return entry->impostors;
 }
 
 void KeyframeStore::waitForAll()
@@ -254,7 +350,9 @@ void KeyframeStore::releaseUnused()
 KeyframeStore::Progress KeyframeStore::progress() const
 {
     const std::lock_guard<std::mutex> guard(m_private->mutex);
-    return {static_cast<int>(m_private->queue.size()) + m_private->running,
+    // Nobody waits for impostors: triangles stand in.
+    const auto waiting = std::ranges::count(m_private->queue, kKeyframes, &Job::band);
+    return {static_cast<int>(waiting) + m_private->runningClips,
             m_private->finished,
             m_private->reservedBytes,
             m_private->budgetBytes,

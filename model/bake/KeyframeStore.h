@@ -39,6 +39,9 @@ struct BakedClip
 
 using BakedClipPtr = std::shared_ptr<const BakedClip>;
 
+struct ImpostorSet; // Impostor.h
+using ImpostorSetPtr = std::shared_ptr<const ImpostorSet>;
+
 /// Bakes clips when first used, in the background, and keeps them under a memory budget.
 /// Thread-safe. Until a clip is ready its first keyframe (baked at once, on the calling thread)
 /// stands in, so nobody waits. When the budget is reached, a clip stays at its first keyframe and
@@ -58,6 +61,10 @@ public:
         bool isComplete = false;
     };
     [[nodiscard]] Entry clip(const TemplatePtr& asset, int clipIndex);
+    /// The cards of a complete clip in a band, or null while they are baked; for the budget, they
+    /// are clips like others.
+    [[nodiscard]] ImpostorSetPtr impostors(const TemplatePtr& asset, int clipIndex,
+                                           const BakedClipPtr& clip, int band);
     /// Blocks until everything asked for so far is baked (pictures without a window).
     void waitForAll();
 
@@ -68,7 +75,7 @@ public:
 
     struct Progress
     {
-        int pendingClips = 0;
+        int pendingClips = 0; ///< without impostors, for whom nobody waits
         int finishedClips = 0;
         std::size_t bytes = 0;
         std::size_t budgetBytes = 0;

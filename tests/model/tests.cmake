@@ -35,6 +35,7 @@ crowd_add_tests(ROOM model
     tst_GltfSpecFiles
     tst_GltfSpecMeshes
     tst_GroundSpeed
+    tst_Impostors
     tst_Features
     tst_Relations
     tst_Groups
