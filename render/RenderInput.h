@@ -71,13 +71,19 @@ struct OverlayTriangle
     glm::vec4 color{1.0F};
 };
 
+/// After the levels of the template: pictures on cards.
+inline constexpr int kImpostorLevel = model::kMaxLevels;
+inline constexpr int kDrawnLevels = kImpostorLevel + 1;
+
 /// Projected heights in physical pixels below which the next coarser level is drawn.
 struct LevelThresholds
 {
     std::array<float, model::kMaxLevels - 1> pixels{60.0F, 35.0F, 18.0F};
     float hysteresis = 0.1F; ///< share by which a threshold must be passed to change the level
+    /// Below which a picture on a card is drawn instead, where there is one; 0: never.
+    float impostorPixels = 0.0F;
     /// Everybody at the finest level (measurements, final pictures).
-    [[nodiscard]] static LevelThresholds fullDetail() { return {{0.0F, 0.0F, 0.0F}, 0.0F}; }
+    [[nodiscard]] static LevelThresholds fullDetail() { return {{0.0F, 0.0F, 0.0F}, 0.0F, 0.0F}; }
 };
 
 /// What is sharp in a picture, and how soft the rest. No effect on orthographic views.
@@ -167,7 +173,7 @@ struct RenderStatistics
 {
     int individuals = 0;
     int visible = 0;
-    std::array<int, model::kMaxLevels> byLevel{};
+    std::array<int, kDrawnLevels> byLevel{};
     int draws = 0;                    ///< GL draw calls, all passes
     std::int64_t triangles = 0;       ///< sent, all passes
     int uploadedPlacements = 0;       ///< rows whose static records were sent: where they stand

@@ -14,6 +14,8 @@ namespace {
 using namespace model;
 
 constexpr int kFramesBeforeDropping = 600;
+/// Impostors asked for in a frame: laying each out takes half a millisecond.
+constexpr std::size_t kMostWanted = 8;
 
 /// How many rows were written.
 template<class Record>
@@ -119,6 +121,7 @@ void CrowdGpu::refreshTemplates(const RenderInput& input)
         record.shadowRadius = gpu.shadowRadius();
         plan.height = entry.asset->height;
         plan.levels = gpu.levelCount();
+        plan.hasImpostors = gpu.impostors().arePossible();
         plan.isDrawable = true;
     }
 }
@@ -198,7 +201,9 @@ void CrowdGpu::useShownClips(const RenderInput& input)
     useFadedClips(input);
     for (std::size_t i = 0; i < m_planTemplates.size(); ++i) {
         if (m_planTemplates[i].isDrawable) {
-            m_planTemplates[i].clips = gpuOf((*m_entries)[i].asset).clips();
+            TemplateGpu& gpu = gpuOf((*m_entries)[i].asset);
+            gpu.takeImpostors(input.keyframes);
+            m_planTemplates[i].clips = gpu.clips();
         }
     }
 }
@@ -226,6 +231,13 @@ bool CrowdGpu::useAlso(const RenderInput& input)
     }
     useShownClips(input);
     return true;
+}
+
+void CrowdGpu::want(std::span<const WantedImpostors> wanted, KeyframeStore& store)
+{
+    for (const WantedImpostors& one : wanted.first(std::min(wanted.size(), kMostWanted))) {
+        gpuOf(one.entry).wantImpostors(store, one.clip, one.band);
+    }
 }
 
 void CrowdGpu::upload(RenderStatistics& statistics)

@@ -36,6 +36,9 @@ public:
     /// Has the clips of another moment of the same people as well, until the next update. False: it
     /// is of other templates.
     [[nodiscard]] bool useAlso(const RenderInput& input);
+    /// Asks for some of the cards that a view would have drawn, so that the frame does not wait;
+    /// they are there in one of the next ones.
+    void want(std::span<const WantedImpostors> wanted, model::KeyframeStore& store);
     /// Sends what changed.
     void upload(RenderStatistics& statistics);
     /// Templates that the last picture did not mention go at once.

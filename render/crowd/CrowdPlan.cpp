@@ -2,6 +2,7 @@
 #include "render/crowd/CrowdPlan.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "model/base/Parallel.h"
@@ -79,10 +80,17 @@ void CrowdPlan::look(const Request& request)
         seen.keys.resize(kChunk);
         seen.count = 0;
         seen.isMissing = false;
+        seen.wanted.assign(look.courses(), 0);
         look.rows(begin, end, m_levels, m_flags, seen);
     });
     m_orderEnd = look.orderEnd();
     m_areKeyframesMissing = std::ranges::any_of(m_seen, &PlanSeen::isMissing);
+    m_wanted.clear();
+    std::vector<std::uint8_t> wanted(look.courses(), 0);
+    for (const PlanSeen& seen : m_seen) {
+        std::ranges::transform(wanted, seen.wanted, wanted.begin(), std::bit_or<std::uint8_t>());
+    }
+    look.list(wanted, m_wanted);
 }
 
 /// The first of two stable counting sorts.
@@ -110,7 +118,7 @@ void CrowdPlan::sortByKeyframe()
 /// The second, by what decides more. Moves places about, not instances.
 void CrowdPlan::sortByGroup(std::size_t entries)
 {
-    m_counts.assign(entries * kMaxLevels * kDistanceSteps, 0);
+    m_counts.assign(entries * kDrawnLevels * kDistanceSteps, 0);
     for (const Key& key : m_byKeyframe) {
         ++m_counts[key.group];
     }
@@ -138,7 +146,7 @@ void CrowdPlan::makeRuns(std::size_t entries)
     m_runs.clear();
     m_byLevel = {};
     std::size_t first = 0;
-    for (std::size_t run = 0; run < entries * kMaxLevels; ++run) {
+    for (std::size_t run = 0; run < entries * kDrawnLevels; ++run) {
         const std::size_t end = m_counts[(run + 1) * kDistanceSteps - 1];
         if (end > first) {
             const std::size_t level = run / entries;

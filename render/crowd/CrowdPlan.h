@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "model/bake/Impostor.h"
 #include "model/base/Bounds.h"
 #include "model/scene/CrowdFrame.h"
 #include "model/view/View.h"
@@ -15,6 +16,15 @@
 /// any number of threads.
 namespace crowd::render {
 
+/// Cards of a clip in a band (model::ImpostorSet) as the plan needs them.
+struct PlanImpostors
+{
+    std::uint32_t set = 0; ///< row of the template's table of sets
+    bool isThere = false;
+    bool isNone = false; ///< and never will be
+    model::ImpostorLayout layout;
+};
+
 /// A clip as the plan needs it.
 struct PlanClip
 {
@@ -23,12 +33,14 @@ struct PlanClip
     bool isComplete = false;         ///< else only its first keyframe is there
     std::uint16_t box = 0;           ///< row of the template's clip boxes
     model::Bounds bounds;            ///< of what is there, template frame
+    std::array<PlanImpostors, model::kImpostorBands.size()> impostors{};
 };
 
 /// A template entry as the plan needs it.
 struct PlanTemplate
 {
     bool isDrawable = false;
+    bool hasImpostors = false;
     float height = 0.0F; ///< metres at scale 1, for the projected size
     int levels = 1;
     std::vector<PlanClip> clips;           ///< as in the asset; those nobody uses have no bounds
@@ -39,9 +51,9 @@ struct PlanTemplate
 struct Instance
 {
     std::uint32_t rowAndFlags = 0;
-    std::uint32_t keyframeA = 0;
-    std::uint32_t keyframeB = 0;
-    std::uint32_t boxes = 0; ///< A's in the low half, B's in the high one
+    std::uint32_t keyframeA = 0; ///< of an impostor: its phase
+    std::uint32_t keyframeB = 0; ///< its set
+    std::uint32_t boxes = 0;     ///< A's in the low half, B's in the high one
     float blend = 0.0F;
 
     static constexpr std::uint32_t kSelected = 0x80000000U;
@@ -54,7 +66,7 @@ static_assert(sizeof(Instance) == 20);
 struct InstanceRun
 {
     int entry = 0; ///< index into CrowdFrame::templates
-    int level = 0;
+    int level = 0; ///< or kImpostorLevel
     std::size_t first = 0;
     std::size_t count = 0;
 };
@@ -71,6 +83,17 @@ struct PlanSeen
     std::vector<Key> keys; ///< of instances
     std::size_t count = 0;
     bool isMissing = false; ///< somebody's clip, or the one he comes from, is not complete
+    /// By PlanLook's courses, a bit for each band of impostors that are not there yet.
+    std::vector<std::uint8_t> wanted;
+};
+static_assert(model::kImpostorBands.size() <= 8);
+
+/// Impostors that would have been drawn.
+struct WantedImpostors
+{
+    int entry = 0; ///< index into CrowdFrame::templates
+    int clip = 0;  ///< as in the asset
+    int band = 0;
 };
 
 /// Keeps each individual's level from frame to frame, for the hysteresis.
@@ -98,7 +121,9 @@ public:
     /// The highlighted ones of instances(), as runs of highlighted().
     [[nodiscard]] std::span<const Instance> highlighted() const { return m_highlighted; }
     [[nodiscard]] std::span<const InstanceRun> highlightedRuns() const { return m_highlightedRuns; }
-    [[nodiscard]] std::array<int, model::kMaxLevels> byLevel() const { return m_byLevel; }
+    [[nodiscard]] std::array<int, kDrawnLevels> byLevel() const { return m_byLevel; }
+    /// Those that are not there yet.
+    [[nodiscard]] std::span<const WantedImpostors> wantedImpostors() const { return m_wanted; }
     [[nodiscard]] bool areKeyframesMissing() const { return m_areKeyframesMissing; }
 
     static constexpr int kDistanceSteps = 32;
@@ -132,7 +157,8 @@ private:
     std::vector<InstanceRun> m_runs;
     std::vector<Instance> m_highlighted;
     std::vector<InstanceRun> m_highlightedRuns;
-    std::array<int, model::kMaxLevels> m_byLevel{};
+    std::array<int, kDrawnLevels> m_byLevel{};
+    std::vector<WantedImpostors> m_wanted;
     bool m_areKeyframesMissing = false;
 };
 

@@ -56,7 +56,7 @@ void CrowdView::collectSeeThrough(const Camera& camera, CrowdGpu& crowd)
     };
     std::vector<Seen> seen;
     for (const InstanceRun& run : m_plan.runs()) {
-        if (!crowd.gpuOf(run.entry).level(run.level).isBlended) {
+        if (run.level == kImpostorLevel || !crowd.gpuOf(run.entry).level(run.level).isBlended) {
             continue;
         }
         for (const Instance& instance : m_plan.instances().subspan(run.first, run.count)) {

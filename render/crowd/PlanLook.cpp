@@ -22,6 +22,7 @@ using namespace model;
 
 constexpr float kBoundsMargin = 1.1F; ///< a first keyframe stands in for a clip that moves more
 constexpr float kDiagonal = 1.4142136F;
+constexpr float kLeastSquare = 1e-12F;
 constexpr float kNearest = 0.1F; ///< metres: nobody is drawn as if he were nearer
 constexpr std::uint32_t kLastStep = CrowdPlan::kDistanceSteps - 1;
 constexpr std::uint8_t kNoLevel = CrowdPlan::kNoLevel;
@@ -46,8 +47,9 @@ struct CullIn
 /// mantissa. What lies before a metre, or 300 m before an orthographic eye, is in the first.
 CROWD_WIDE_CLONES void cullRows(const PlanLook::Eye& eye, const CullIn& in, std::size_t count,
                                 std::int32_t* __restrict isSeen, float* __restrict pixels,
-                                std::uint32_t* __restrict steps)
+                                std::uint32_t* __restrict steps, float* __restrict sines)
 {
+    const glm::vec4 from = eye.from;
     const std::array<glm::vec4, 6> planes = eye.planes;
     const glm::vec4 axis = eye.depth;
     const float* position = &in.positions->x;
@@ -69,7 +71,22 @@ CROWD_WIDE_CLONES void cullRows(const PlanLook::Eye& eye, const CullIn& in, std:
         const std::uint32_t step =
             (std::bit_cast<std::uint32_t>(scaled > 1.0F ? scaled : 1.0F) >> 21U) - (127U << 2U);
         steps[i] = step < kLastStep ? step : kLastStep;
+        const float awayX = from.x - from.w * x;
+        const float awayY = from.y - from.w * y;
+        const float awayZ = from.z - from.w * z;
+        const float square = awayX * awayX + awayY * awayY + awayZ * awayZ;
+        sines[i] = awayY / std::sqrt(square > kLeastSquare ? square : kLeastSquare);
     }
+}
+
+/// Of impostors, for what is seen from above at an angle of that sine.
+std::uint8_t bandOf(float sine)
+{
+    std::size_t band = 0;
+    for (const ImpostorBand& each : kImpostorBands) {
+        band += sine > each.endSine ? 1U : 0U;
+    }
+    return static_cast<std::uint8_t>(std::min(band, kImpostorBands.size() - 1));
 }
 
 /// How far the clips of some rows are; see PlanLook::Course.
@@ -121,9 +138,11 @@ struct PlanLook::Piece
     Floats shownHeights;
     Floats pixels;
     std::array<std::uint32_t, kPiece> steps;
+    Floats sines; ///< of the angles that they are seen from above at
     std::array<std::int32_t, kPiece> isSeen;
     std::array<std::uint16_t, kPiece> seen;  ///< offsets of those in view
     std::array<std::uint8_t, kPiece> levels; ///< of seen
+    std::array<std::uint8_t, kPiece> bands;  ///< of seen; where the level is kImpostorLevel
     std::size_t count = 0;                   ///< of seen
 };
 
@@ -151,8 +170,10 @@ PlanLook::PlanLook(const CrowdPlan::Request& request)
     if (request.isOfAll) {
         m_eye.planes.fill(glm::vec4(0.0F, 0.0F, 0.0F, 1.0F));
     }
-    m_eye.depth = glm::vec4(camera.forward(), -glm::dot(camera.forward(), camera.position));
     const bool isPerspective = camera.projection == Projection::Perspective;
+    m_eye.from =
+        isPerspective ? glm::vec4(camera.position, 1.0F) : glm::vec4(-camera.forward(), 0.0F);
+    m_eye.depth = glm::vec4(camera.forward(), -glm::dot(camera.forward(), camera.position));
     m_eye.perDepth = isPerspective ? 1.0F : 0.0F;
     m_eye.besideDepth = isPerspective ? 0.0F : 1.0F;
     m_eye.stepScale = isPerspective ? 1.0F : 0.1F;
@@ -184,13 +205,14 @@ void PlanLook::addEntry(const PlanTemplate& asset, TemplateId id, std::size_t in
     }
     m_orderEnd = std::max(m_orderEnd, next);
     for (const std::uint16_t clip : asset.clipOfName) {
-        addClip(asset.clips[clip], asset, index, orders[clip]);
+        addClip(clip, asset, index, orders[clip]);
     }
 }
 
-void PlanLook::addClip(const PlanClip& clip, const PlanTemplate& asset, std::size_t index,
+void PlanLook::addClip(std::uint16_t clipIndex, const PlanTemplate& asset, std::size_t index,
                        std::uint32_t order)
 {
+    const PlanClip& clip = asset.clips[clipIndex];
     const Bounds& box = clip.bounds;
     const glm::vec3 size = box.size();
     const float reach = std::max({-box.low.x, box.high.x, -box.low.z, box.high.z});
@@ -203,6 +225,9 @@ void PlanLook::addClip(const PlanClip& clip, const PlanTemplate& asset, std::siz
     course.group = static_cast<std::uint32_t>(index) * CrowdPlan::kDistanceSteps;
     course.coarsest = std::min(asset.levels, static_cast<int>(kMaxLevels)) - 1;
     course.isMissing = !clip.isComplete;
+    course.impostors = asset.hasImpostors && clip.isComplete ? &clip.impostors : nullptr;
+    course.entry = static_cast<std::uint16_t>(index);
+    course.clip = clipIndex;
     const int last = clip.clip->keyframeCount() - 1;
     if (!clip.isComplete || last == 0) {
         return;
@@ -227,7 +252,7 @@ void PlanLook::rows(std::size_t begin, std::size_t end, std::span<std::uint8_t> 
             hide(first, count, piece);
         }
         cull(first, count, piece);
-        chooseLevels(levels.subspan(first, count), piece);
+        chooseLevels(levels.subspan(first, count), piece, seen);
         emit(first, flags, piece, seen);
     }
 }
@@ -262,7 +287,8 @@ void PlanLook::cull(std::size_t begin, std::size_t count, Piece& piece) const
     const CullIn in{&m_positions[begin], &m_lifts[begin],          &m_heights[begin],
                     &m_girths[begin],    piece.middles.data(),     piece.halfHeights.data(),
                     piece.sides.data(),  piece.shownHeights.data()};
-    cullRows(m_eye, in, count, piece.isSeen.data(), piece.pixels.data(), piece.steps.data());
+    cullRows(m_eye, in, count, piece.isSeen.data(), piece.pixels.data(), piece.steps.data(),
+             piece.sines.data());
     piece.count = 0;
     for (std::size_t i = 0; i < count; ++i) {
         piece.seen[piece.count] = static_cast<std::uint16_t>(i);
@@ -270,12 +296,24 @@ void PlanLook::cull(std::size_t begin, std::size_t count, Piece& piece) const
     }
 }
 
-void PlanLook::chooseLevels(std::span<std::uint8_t> levels, Piece& piece) const
+void PlanLook::chooseLevels(std::span<std::uint8_t> levels, Piece& piece, PlanSeen& seen) const
 {
     for (std::size_t k = 0; k < piece.count; ++k) {
         const std::size_t i = piece.seen[k];
-        piece.levels[k] = static_cast<std::uint8_t>(
-            m_choice.level(piece.pixels[i], levels[i], m_courses[piece.clips[i]].coarsest));
+        const Course& course = m_courses[piece.clips[i]];
+        piece.levels[k] =
+            static_cast<std::uint8_t>(m_choice.level(piece.pixels[i], levels[i], course.coarsest));
+        if (course.impostors == nullptr || !m_choice.isImpostorSmall(piece.pixels[i], levels[i])) {
+            continue;
+        }
+        const std::uint8_t band = bandOf(piece.sines[i]);
+        const PlanImpostors& impostors = (*course.impostors)[band];
+        if (impostors.isThere) {
+            piece.levels[k] = kImpostorLevel;
+            piece.bands[k] = band;
+        } else if (!impostors.isNone) {
+            seen.wanted[piece.clips[i]] |= static_cast<std::uint8_t>(1U << band);
+        }
     }
     std::ranges::fill(levels, kNoLevel);
     for (std::size_t k = 0; k < piece.count; ++k) {
@@ -320,6 +358,7 @@ void PlanLook::emit(std::size_t begin, std::span<const std::uint8_t> flags, cons
         instance[k] = {static_cast<std::uint32_t>(row) | static_cast<std::uint32_t>(flags[row])
                                                              << 24U,
                        keyframe, keyframe + course.step, course.boxes, blends[k]};
+        showImpostor(course, piece, k, static_cast<float>(intervals[k]) + blends[k], instance[k]);
         key[k] = {course.order + static_cast<std::uint32_t>(intervals[k]),
                   piece.levels[k] * m_groupsPerLevel + course.group + piece.steps[i]};
         isMissing |= course.isMissing;
@@ -329,6 +368,29 @@ void PlanLook::emit(std::size_t begin, std::span<const std::uint8_t> flags, cons
     }
     seen.count += piece.count;
     seen.isMissing = isMissing;
+}
+
+void PlanLook::showImpostor(const Course& course, const Piece& piece, std::size_t k, float keyframe,
+                            Instance& instance) const
+{
+    if (piece.levels[k] != kImpostorLevel) {
+        return;
+    }
+    const PlanImpostors& impostors = (*course.impostors)[piece.bands[k]];
+    instance.keyframeA =
+        static_cast<std::uint32_t>(impostors.layout.phaseOf(keyframe, course.isLoop > 0.0));
+    instance.keyframeB = impostors.set;
+}
+
+void PlanLook::list(std::span<const std::uint8_t> wanted, std::vector<WantedImpostors>& out) const
+{
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        for (int band = 0; band < static_cast<int>(kImpostorBands.size()); ++band) {
+            if ((wanted[i] >> static_cast<unsigned>(band) & 1U) != 0) {
+                out.push_back({m_courses[i].entry, m_courses[i].clip, band});
+            }
+        }
+    }
 }
 
 /// Who changes clips is drawn between the nearest keyframes of both. Their place in the order
@@ -346,6 +408,9 @@ bool PlanLook::fade(std::size_t begin, const Piece& piece, std::span<Instance> i
             continue;
         }
         const Clips clips = m_clipsOfId[m_templates[row]];
+        if (piece.levels[k] == kImpostorLevel) {
+            continue; // a card shows one clip alone: the new one
+        }
         const Course& from = m_courses[clips.first + std::min(next->clip, clips.last)];
         if (from.isMissing || m_courses[piece.clips[piece.seen[k]]].isMissing) {
             isMissing = true;

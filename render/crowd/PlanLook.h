@@ -29,6 +29,9 @@ public:
               std::span<const std::uint8_t> flags, PlanSeen& seen) const;
     /// Above every key of PlanSeen.
     [[nodiscard]] std::uint32_t orderEnd() const { return m_orderEnd; }
+    /// Of PlanSeen::wanted.
+    [[nodiscard]] std::size_t courses() const { return m_courses.size(); }
+    void list(std::span<const std::uint8_t> wanted, std::vector<WantedImpostors>& out) const;
 
     static constexpr std::size_t kPieceRows = 512;
 
@@ -40,6 +43,7 @@ public:
         float pixelsPerMetre;            ///< at one metre, or anywhere when orthographic
         float perDepth;                  ///< pixels shrink with depth × perDepth + besideDepth
         float besideDepth;
+        glm::vec4 from;  ///< where it is; 0 in w: the direction towards it
         float stepScale; ///< of the depth, for its distance step
         float stepShift;
     };
@@ -69,6 +73,10 @@ private:
         std::int32_t coarsest = 0; ///< level
         double isLoop = 1.0;       ///< or 0
         bool isMissing = false;
+        /// By band; null: there are none.
+        const std::array<PlanImpostors, model::kImpostorBands.size()>* impostors = nullptr;
+        std::uint16_t entry = 0;
+        std::uint16_t clip = 0; ///< as in the asset
     };
     /// Where a template id's clips lie.
     struct Clips
@@ -79,12 +87,15 @@ private:
     struct Piece;
 
     void addEntry(const PlanTemplate& asset, model::TemplateId id, std::size_t index);
-    void addClip(const PlanClip& clip, const PlanTemplate& asset, std::size_t index,
+    void addClip(std::uint16_t clip, const PlanTemplate& asset, std::size_t index,
                  std::uint32_t order);
     void gather(std::size_t begin, std::size_t count, Piece& piece) const;
     void hide(std::size_t begin, std::size_t count, Piece& piece) const;
     void cull(std::size_t begin, std::size_t count, Piece& piece) const;
-    void chooseLevels(std::span<std::uint8_t> levels, Piece& piece) const;
+    void chooseLevels(std::span<std::uint8_t> levels, Piece& piece, PlanSeen& seen) const;
+    /// Where that is his level.
+    void showImpostor(const Course& course, const Piece& piece, std::size_t k, float keyframe,
+                      Instance& instance) const;
     void emit(std::size_t begin, std::span<const std::uint8_t> flags, const Piece& piece,
               PlanSeen& seen) const;
     /// Whether a clip that somebody comes from is not there yet.

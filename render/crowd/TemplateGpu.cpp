@@ -61,7 +61,7 @@ TemplateGpu::Level makeLevel(const Template& asset, const DrawLevel& source)
 
 TemplateGpu::TemplateGpu(TemplatePtr asset)
     : m_asset(std::move(asset)), m_clips(m_asset->clips.size()), m_uploaded(m_asset->clips.size()),
-      m_boxes(GL_RGBA32F), m_materials(GL_RGBA32F)
+      m_impostors(*m_asset), m_boxes(GL_RGBA32F), m_materials(GL_RGBA32F)
 {
     for (std::size_t i = 0; i < m_clips.size(); ++i) {
         m_clips[i].clip = &m_asset->clips[i];
@@ -92,6 +92,9 @@ void TemplateGpu::makeMaterials()
     const std::span<const std::byte> records = std::as_bytes(std::span(images.materials));
     m_materials.reserve(records.size());
     m_materials.write(0, records);
+    const auto impostorArray = static_cast<std::size_t>(m_impostors.state().pictures);
+    m_pictureTexels = static_cast<float>(
+        std::max(images.arrays[impostorArray].width, images.arrays[impostorArray].height));
     for (const PictureArray& array : images.arrays) {
         m_pictures.push_back(uploadLayers(array.width, array.height, array.layers, array.sampling));
     }
@@ -103,6 +106,21 @@ void TemplateGpu::useClip(KeyframeStore& store, int clipIndex)
     if (m_uploaded[static_cast<std::size_t>(clipIndex)] != entry.clip) {
         append(clipIndex, entry);
     }
+}
+
+void TemplateGpu::wantImpostors(KeyframeStore& store, int clipIndex, int band)
+{
+    m_impostors.want(clipIndex, band);
+    takeImpostors(store);
+}
+
+void TemplateGpu::takeImpostors(KeyframeStore& store)
+{
+    std::vector<BakedClipPtr> complete(m_uploaded.size());
+    for (std::size_t i = 0; i < complete.size(); ++i) {
+        complete[i] = m_clips[i].isComplete ? m_uploaded[i] : nullptr;
+    }
+    m_impostors.take(store, m_asset, complete, m_clips);
 }
 
 /// A clip that replaces its first keyframe goes behind it; the few bytes before are not reused.

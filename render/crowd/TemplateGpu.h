@@ -7,6 +7,7 @@
 #include "model/bake/DrawLevels.h"
 #include "model/bake/KeyframeStore.h"
 #include "render/crowd/CrowdPlan.h"
+#include "render/crowd/ImpostorGpu.h"
 #include "render/crowd/MeshGroups.h"
 #include "render/gl/GlObjects.h"
 
@@ -21,6 +22,12 @@ public:
 
     /// Asks the store for a clip and uploads what is new of it.
     void useClip(model::KeyframeStore& store, int clipIndex);
+
+    /// Asks for cards of a clip that somebody would be drawn with.
+    void wantImpostors(model::KeyframeStore& store, int clipIndex, int band);
+    /// Sends those that are ready.
+    void takeImpostors(model::KeyframeStore& store);
+    [[nodiscard]] const ImpostorGpu& impostors() const { return m_impostors; }
 
     [[nodiscard]] const model::TemplatePtr& asset() const { return m_asset; }
     /// One per clip of the asset; unused ones have no bounds.
@@ -47,6 +54,8 @@ public:
     void bindTables(int levelIndex, int first) const;
     /// Binds an array of TemplateImages::arrays.
     void bindPictures(int array, int unit) const;
+    /// Along a side of a picture.
+    [[nodiscard]] float pictureTexels() const { return m_pictureTexels; }
     [[nodiscard]] int choicesPerSlot() const { return m_choicesPerSlot; }
     [[nodiscard]] std::uint32_t tintableSlots() const { return m_tintableSlots; }
 
@@ -60,9 +69,11 @@ private:
     std::vector<model::BakedClipPtr> m_uploaded; ///< per clip, what its PlanClip refers to
     std::vector<Level> m_levels;
     std::vector<TexelBuffer> m_keyframes; ///< per level of the asset
+    ImpostorGpu m_impostors;
     TexelBuffer m_boxes;
     TexelBuffer m_materials;
     std::vector<GlTexture> m_pictures; ///< one per array
+    float m_pictureTexels = 1.0F;      ///< of a side
     std::uint32_t m_keyframeCount = 0; ///< uploaded so far
     std::uint16_t m_boxCount = 0;
     int m_choicesPerSlot = 1;

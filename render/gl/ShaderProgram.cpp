@@ -42,7 +42,7 @@ std::string fullText(const std::string& file, std::string_view defines)
     if (file.ends_with(".vert")) {
         text += shaderSource("lighting.glsl");
     } else {
-        if (isDefined(defines, "RELIEF")) {
+        if (isDefined(defines, "RELIEF") || isDefined(defines, "IMPOSTOR")) {
             text += shaderSource("lighting.glsl");
         }
         text += shaderSource("shadow.glsl");
@@ -51,7 +51,11 @@ std::string fullText(const std::string& file, std::string_view defines)
             text += shaderSource("aov.glsl");
         }
     }
-    return text.append(own);
+    if (file == "crowd.vert" || file == "impostor.frag") {
+        text += shaderSource("person.glsl");
+    }
+    text += own;
+    return file == "impostor.frag" ? text.append(shaderSource("crowd.frag")) : text;
 }
 
 std::string logOf(GLuint object, bool isProgram)

@@ -160,8 +160,10 @@ void Passes::prepare(const PassContext& context)
     statistics.recordsMs = millisecondsSince(start);
     start = Clock::now();
     const float ratio = static_cast<float>(context.pixelSize.y) / input.view.size().y;
-    seen.plan({*input.frame, input.view, ratio, input.levels, input.selected, input.hovered},
-              crowd);
+    LevelThresholds levels = input.levels;
+    levels.impostorPixels = context.style.hasCards ? levels.impostorPixels : 0.0F;
+    seen.plan({*input.frame, input.view, ratio, levels, input.selected, input.hovered}, crowd);
+    crowd.want(seen.planned().wantedImpostors(), input.keyframes);
     statistics.planMs = millisecondsSince(start);
     crowd.upload(statistics);
     seen.upload(input.view.camera(), crowd);

@@ -39,11 +39,19 @@ public:
 
 private:
     void setUniforms(const PassContext& context, const CrowdDraw& drawing, const TemplateGpu& gpu,
-                     std::uint32_t verticesPerKeyframe, ShaderProgram& shader) const;
+                     ShaderProgram& shader) const;
     void drawGroup(const PassContext& context, const MeshGroup& group,
                    const InstanceRun& run) const;
 
+    [[nodiscard]] model::Result<void> drawCards(const PassContext& context,
+                                                const CrowdDraw& drawing, const TemplateGpu& gpu,
+                                                const InstanceRun& run);
+
+    void bindInstances(const GlBuffer& instances);
+
     ShaderVariants m_programs;
+    ShaderVariants m_cardPrograms;
+    GlTexture m_instanceWords; ///< of those drawn last as cards
 };
 
 } // namespace crowd::render

@@ -77,6 +77,7 @@ Style Style::of(const RenderInput& input)
     style.light = LinearLight::from(lighting);
     style.inkPixels = input.ink ? input.ink->pixels : look.inkPixels;
     style.isWire = look.isWire;
+    style.hasCards = !look.isWire;
     if (look.paint != nullptr) {
         const glm::vec3 ground = style.light.onGround();
         const float level = std::max({ground.x, ground.y, ground.z});
@@ -121,6 +122,7 @@ Style Style::ofAovs(const RenderInput& input)
     Style style;
     style.surfaceDefines = input.earlier ? "AOV MOTION " : "AOV ";
     style.hasRelief = true;
+    style.hasCards = false;
     style.hasGround = input.showGround && !input.isTransparent;
     style.hasGrid = false;
     return style;

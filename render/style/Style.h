@@ -46,6 +46,7 @@ struct Style
     };
     std::optional<Paint> paint;
     bool isWire = false;    ///< edges of triangles
+    bool hasCards = true;   ///< people may be impostors
     bool hasRelief = false; ///< normal maps are seen
     bool hasSky = true;
     bool hasGround = true;

@@ -1,3 +1,4 @@
+#ifndef IMPOSTOR // those have them from person.glsl
 in vec4 color;
 #ifdef AOV
 in vec3 aovWorld;
@@ -15,9 +16,6 @@ in float hazed;
 #endif
 #ifdef SHADOWED
 in vec4 shadowed;
-#endif
-#if defined(TEXTURED) || defined(GLOWING)
-uniform sampler2DArray images; // alpha holds the tint mask where the material is opaque
 #endif
 #ifdef TEXTURED
 in vec3 textureUv;
@@ -40,12 +38,26 @@ in vec3 emissive;
 #ifdef HIGHLIGHTS
 in vec4 mirrored; // w: the sun's share of it
 #endif
-#ifdef OPACITY
-uniform float opacity;
-#endif
 #if defined(REPLACED) && defined(TEXTURED)
 in vec4 replacement;
 const float kDarkest = 0.01; // as in crowd.vert
+#endif
+#endif
+#if (defined(TEXTURED) || defined(GLOWING)) && !defined(IMPOSTOR)
+uniform sampler2DArray images; // alpha holds the tint mask where the material is opaque
+vec4 sampled(vec3 at)
+{
+    return texture(images, at);
+}
+
+vec3 srgbToLinear(vec3 c)
+{
+    // Within 0.003 of the exact curve.
+    return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);
+}
+#endif
+#ifdef OPACITY
+uniform float opacity;
 #endif
 
 #ifndef AOV
@@ -56,16 +68,11 @@ out vec4 fragment;
 const float kClear = 1.0 / 255.0;
 #endif
 
-#if defined(TEXTURED) || defined(GLOWING)
-vec3 srgbToLinear(vec3 c)
-{
-    // Within 0.003 of the exact curve.
-    return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);
-}
-#endif
-
 void main()
 {
+#ifdef IMPOSTOR
+    carryTexel();
+#endif
 #if defined(CASTER) && !defined(CUTOUT)
     return;
 #endif
@@ -83,13 +90,13 @@ void main()
 #endif
 #endif
 #ifdef TEXTURED
-    vec4 texel = texture(images, textureUv);
+    vec4 texel = sampled(textureUv);
 #ifndef PAINTED
     result.rgb *= srgbToLinear(texel.rgb);
 #endif
 #ifdef SEPARATE_MASK
     result.a *= texel.a;
-    float mask = maskLayer < 0.0 ? 1.0 : texture(images, vec3(textureUv.xy, maskLayer)).r;
+    float mask = maskLayer < 0.0 ? 1.0 : sampled(vec3(textureUv.xy, maskLayer)).r;
 #else
     float mask = texel.a;
 #endif
@@ -109,7 +116,7 @@ void main()
 #endif
 #endif
 #ifdef GLOWING
-    result.rgb += emissive * srgbToLinear(texture(images, glowUv).rgb);
+    result.rgb += emissive * srgbToLinear(sampled(glowUv).rgb);
 #elif defined(SPECIAL)
     result.rgb += emissive;
 #endif

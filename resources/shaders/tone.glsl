@@ -15,7 +15,9 @@ vec3 filmic(vec3 c)
 #endif
 
 #ifdef CARTOON
+#if !defined(RELIEF) && !defined(IMPOSTOR) // else it is there from lighting.glsl
 uniform float fullLight; // luminance of all that sun and sky can give
+#endif
 
 float luminanceOf(vec3 c)
 {

@@ -4,6 +4,7 @@ crowd_add_tests(ROOM render LINK crowd_render nlohmann_json::nlohmann_json TESTS
     tst_Cartoon
     tst_CrowdPlan
     tst_DrawnFiles
+    tst_DrawnImpostors
     tst_DrawnMaterials
     tst_OddFiles
     tst_Highlights

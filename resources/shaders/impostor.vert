@@ -1,0 +1,63 @@
+// Two triangles per individual: a card, turned as the picture of the template that is nearest to how it
+// is seen. Not one instance each, which takes some drivers as long as a hundred triangles.
+uniform usamplerBuffer instances; // Instance, word by word: row and flags, phase, set
+uniform int firstInstance;
+uniform samplerBuffer placement; // per row: position cos | sin height girth lift
+uniform samplerBuffer cardSets;  // SetRecord: low size | middle nearest depth sine | cosine width height layers | first
+uniform usamplerBuffer cardShown; // per card: texels from xy up to zw
+uniform mat4 viewProjection;
+uniform vec4 cardEye;         // where one looks from; 0 in w: the direction towards there
+uniform float texelsPerPixel; // of pictures, a metre away
+uniform float lastPictureLevel;
+
+const int kAzimuths = 32;
+const int kWords = 5; // of an Instance
+const float kPi = 3.14159265;
+
+out vec2 onCard;      // texels
+out vec3 onFront;     // the card moved to the nearest there is on it, world
+flat out vec4 behind; // from there to the farthest, world; level of pictures in w
+flat out uvec4 card;  // first texel, width and height, texels of a layer, row and flags
+flat out vec4 shape;  // cos sin height girth
+
+vec3 turned(vec3 p)
+{
+    return vec3(shape.x * p.x + shape.y * p.z, p.y, shape.x * p.z - shape.y * p.x);
+}
+
+void main()
+{
+    int at = (firstInstance + gl_VertexID / 6) * kWords;
+    uint rowAndFlags = texelFetch(instances, at).x;
+    int row = int(rowAndFlags & 0x00FFFFFFu);
+    int record = int(texelFetch(instances, at + 2).x) * 4;
+    vec4 extent = texelFetch(cardSets, record);
+    vec4 inside = texelFetch(cardSets, record + 1);
+    vec4 texels = texelFetch(cardSets, record + 2);
+    vec4 place = texelFetch(placement, row * 2);
+    vec4 more = texelFetch(placement, row * 2 + 1);
+    shape = vec4(place.w, more.xyz);
+    vec3 scale = shape.wzw;
+    vec3 middle = place.xyz + vec3(0.0, inside.x * scale.y, 0.0);
+    vec3 away = cardEye.xyz - middle * cardEye.w;
+    vec3 seen = vec3(shape.x * away.x - shape.y * away.z, away.y, shape.y * away.x + shape.x * away.z) / scale;
+    int nearest = int(floor(atan(seen.x, seen.z) * (float(kAzimuths) * 0.5 / kPi) + 0.5)) & (kAzimuths - 1);
+    float around = float(nearest) * (2.0 * kPi / float(kAzimuths));
+    vec3 right = vec3(cos(around), 0.0, -sin(around));
+    vec3 towards = vec3(-right.z * texels.x, inside.w, right.x * texels.x);
+    vec3 up = cross(towards, right);
+    int turn = gl_VertexID % 6;
+    int which = turn < 3 ? turn : 6 - turn; // lower left, lower right, upper left; upper right
+    uvec4 first = floatBitsToUint(texelFetch(cardSets, record + 3));
+    uint number = texelFetch(instances, at + 1).x * uint(kAzimuths) + uint(nearest);
+    vec4 shown = vec4(texelFetch(cardShown, int(first.y + number)));
+    onCard = vec2((which & 1) == 0 ? shown.x : shown.z, which < 2 ? shown.y : shown.w);
+    vec2 spot = extent.xy + onCard / texels.yz * extent.zw;
+    vec3 world = middle + turned((right * spot.x + up * spot.y) * scale);
+    gl_Position = viewProjection * vec4(world, 1.0);
+    onFront = world + turned(towards * inside.y * scale);
+    behind = vec4(turned(towards * -inside.z * scale),
+                  clamp(round(log2(texelsPerPixel * gl_Position.w / max(shape.w, 1e-4))), 0.0, lastPictureLevel));
+    uint perLayer = uint(texels.y) * uint(texels.z);
+    card = uvec4(first.x + number * perLayer * uint(texels.w), uint(texels.y) | uint(texels.z) << 16, texels.w > 1.0 ? perLayer : 0u, rowAndFlags);
+}
