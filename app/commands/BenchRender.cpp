@@ -10,6 +10,7 @@
 
 #include <epoxy/gl.h>
 
+#include <QtCore/QJsonArray>
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
 
@@ -178,6 +179,8 @@ render::RenderInput Comparison::inputAt(double seconds)
     input.lighting = m_scene.lighting;
     input.lights = m_scene.lights;
     input.samples = m_options.samples;
+    const float usual = m_options.samples > 0 ? 6.0F : 18.0F; // as in the window
+    input.levels.impostorPixels = m_options.impostors >= 0.0F ? m_options.impostors : usual;
     if (m_options.detail == "full") {
         input.levels = render::LevelThresholds::fullDetail();
     } else if (!m_options.thresholds.empty()) {
@@ -340,6 +343,11 @@ QJsonObject Comparison::report() const
     json[QStringLiteral("median_ms")] = ours.median;
     json[QStringLiteral("p95_ms")] = ours.p95;
     json[QStringLiteral("draws")] = drawn.draws;
+    QJsonArray levels;
+    for (const int people : drawn.byLevel) {
+        levels.append(people);
+    }
+    json[QStringLiteral("people_by_level")] = levels;
     json[QStringLiteral("triangles_drawn")] = static_cast<qint64>(drawn.triangles);
     json[QStringLiteral("bytes_per_keyframe")] = static_cast<qint64>(
         mesh != nullptr ? mesh->positions.size() * sizeof(model::PackedVertex) : 0);

@@ -20,10 +20,11 @@ struct BenchRenderOptions
     int samples = 4;                 ///< per pixel
     bool quality = false;            ///< also what is lost beside full detail, see kMostLostPsnr
     std::vector<float> thresholds{}; ///< of levels, pixels, descending; empty: the usual ones
-    bool edges = false;              ///< smooth in the last step; not those of plain frames
-    std::string clock = "wall";      ///< "wall" or "cpu": processor time of all threads
-    std::string look = "lit";        ///< of ours; plain frames are timed beside it
-    std::string light;               ///< a ready-made one; empty: the scene's
+    float impostors = -1.0F;    ///< pixels below which cards are drawn; below 0: as in the window
+    bool edges = false;         ///< smooth in the last step; not those of plain frames
+    std::string clock = "wall"; ///< "wall" or "cpu": processor time of all threads
+    std::string look = "lit";   ///< of ours; plain frames are timed beside it
+    std::string light;          ///< a ready-made one; empty: the scene's
     bool json = false;
 };
 

@@ -111,6 +111,11 @@ void addQualityOptions(CLI::App& command, BenchRenderOptions& options)
                     "Three heights in pixels, falling, below which a coarser level is drawn")
         ->expected(model::kMaxLevels - 1)
         ->check(CLI::Range(0.0F, 10000.0F));
+    command
+        .add_option(
+            "--impostors", options.impostors,
+            "Height in pixels below which --detail levels draws pictures on cards; 0: never")
+        ->check(CLI::Range(0.0F, 10000.0F));
 }
 
 } // namespace
