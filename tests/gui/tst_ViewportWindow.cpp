@@ -59,6 +59,7 @@ private Q_SLOTS:
     void drawsNothingWhileNothingChanges();
     void aPictureAtRestRipens();
     void aPictureOfAnotherSizeRipensAnew();
+    void farPeopleAreCardsWhileTheyMove();
     void drawsWhilePlayingAndStops();
     void paintsAndTakesBack();
     void quickClicksAllPaint();
@@ -123,6 +124,28 @@ void TestViewportWindow::aPictureAtRestRipens()
     studio.state.transport().setPlaying(false);
     studio.setQuality(PictureQuality::Best);
     QTRY_COMPARE(studio.view->ripeness(), 16);
+}
+
+/// And triangles as soon as they rest, or always where the best is wanted.
+void TestViewportWindow::farPeopleAreCardsWhileTheyMove()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    testing::addPeople(studio.document, 3);
+    studio.state.setCamera(model::Camera::lookingAt({0.0F, 95.0F, 95.0F}, {0.0F, 0.0F, 0.0F}));
+    const auto cards = [&studio] {
+        return studio.view->statistics().render.byLevel[render::kImpostorLevel];
+    };
+    studio.settle();
+    QCOMPARE(cards(), 0);
+    studio.state.transport().setPlaying(true);
+    QTRY_COMPARE(cards(), 3);
+    studio.setQuality(PictureQuality::Best);
+    QTRY_COMPARE(cards(), 0);
+    studio.setQuality(PictureQuality::Fast);
+    QTRY_COMPARE(cards(), 3);
+    studio.state.transport().setPlaying(false);
+    QTRY_COMPARE(cards(), 0);
 }
 
 /// A panel that opens while one ripens, and closes while the next does.

@@ -33,8 +33,10 @@ constexpr double kQuickMs = 10.0;
 constexpr glm::vec3 kWashColor{0.10F, 0.75F, 1.0F};
 constexpr int kViewStillMs = 100; // without a change, the view counts as still
 constexpr int kHandStillMs = 150; // the same for the brush
-constexpr int kRipenMs = 120;     // of rest, before one picture becomes several
-constexpr int kRipe = 8;          // pictures that become one
+constexpr float kCards = 18.0F;   // physical pixels below which people are pictures on cards
+constexpr float kCardsBesideSamples = 6.0F;
+constexpr int kRipenMs = 120; // of rest, before one picture becomes several
+constexpr int kRipe = 8;      // pictures that become one
 constexpr int kRipeAtBest = 16;
 
 QSurfaceFormat surfaceFormat()
@@ -365,6 +367,10 @@ void ViewportWidget::setQuality(render::RenderInput& input) const
     input.smoothsEdges = true;
     // The hysteresis hides flicker in motion; a picture at rest is the same whatever led to it.
     input.levels.hysteresis = isMoving() ? input.levels.hysteresis : 0.0F;
+    if (isMoving() && m_state.viewOptions().quality != PictureQuality::Best) {
+        // Cards have hard edges, which samples do not soften.
+        input.levels.impostorPixels = input.samples > 0 ? kCardsBesideSamples : kCards;
+    }
     if (!isMoving() && picturesToRipen() > 1) {
         input.ripeness = m_ripeness;
     }
