@@ -18,18 +18,18 @@ namespace {
 
 using namespace model;
 
-/// Four RGBA32F texels; as in impostor.vert.
+/// Four RGBA32UI texels, so that small whole numbers come through as they are; as in impostor.vert.
 struct SetRecord
 {
-    glm::vec4 card{0.0F}; ///< low, size: metres
-    float middle = 0.0F;  ///< metres
-    float nearest = 0.0F; ///< metres
-    float depth = 0.0F;   ///< metres
-    float sine = 0.0F;    ///< of the band's angle
-    float cosine = 1.0F;  ///< of it
-    float width = 0.0F;   ///< texels
-    float height = 0.0F;  ///< texels
-    float layers = 1.0F;
+    glm::vec4 card{0.0F};     ///< low, size: metres
+    float middle = 0.0F;      ///< metres
+    float nearest = 0.0F;     ///< metres
+    float depth = 0.0F;       ///< metres
+    float sine = 0.0F;        ///< of the band's angle
+    float cosine = 1.0F;      ///< of it
+    std::uint32_t width = 0;  ///< texels
+    std::uint32_t height = 0; ///< texels
+    std::uint32_t layers = 1;
     std::uint32_t first = 0; ///< texel of the set
     std::uint32_t firstCard = 0;
     std::array<std::uint32_t, 2> unused{};
@@ -47,9 +47,9 @@ SetRecord recordOf(const ImpostorSet& set, std::size_t first, std::size_t firstC
     record.depth = layout.depth;
     record.sine = std::sin(above);
     record.cosine = std::cos(above);
-    record.width = static_cast<float>(layout.texels.x);
-    record.height = static_cast<float>(layout.texels.y);
-    record.layers = static_cast<float>(layout.layers);
+    record.width = static_cast<std::uint32_t>(layout.texels.x);
+    record.height = static_cast<std::uint32_t>(layout.texels.y);
+    record.layers = static_cast<std::uint32_t>(layout.layers);
     record.first = static_cast<std::uint32_t>(first);
     record.firstCard = static_cast<std::uint32_t>(firstCard);
     return record;
@@ -112,7 +112,7 @@ float sharePerMetre(const Mesh& mesh)
 } // namespace
 
 ImpostorGpu::ImpostorGpu(const Template& asset)
-    : m_texels(GL_RG32UI), m_sets(GL_RGBA32F), m_shown(GL_RGBA8UI)
+    : m_texels(GL_RG32UI), m_sets(GL_RGBA32UI), m_shown(GL_RGBA8UI)
 {
     if (!canHaveImpostors(asset)) {
         return;

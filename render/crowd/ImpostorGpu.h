@@ -24,6 +24,7 @@ public:
     [[nodiscard]] bool arePossible() const { return m_arePossible; }
     /// Asks for the cards of a clip in a band, from now on.
     void want(int clip, int band) { m_wanted.insert({clip, band}); }
+    [[nodiscard]] bool isAnyWanted() const { return !m_wanted.empty(); }
     /// Sends what is ready of what is wanted; the clips are the template's. `complete`: by clip,
     /// null where it is not.
     void take(model::KeyframeStore& store, const model::TemplatePtr& asset,

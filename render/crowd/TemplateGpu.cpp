@@ -116,6 +116,9 @@ void TemplateGpu::wantImpostors(KeyframeStore& store, int clipIndex, int band)
 
 void TemplateGpu::takeImpostors(KeyframeStore& store)
 {
+    if (!m_impostors.isAnyWanted()) {
+        return;
+    }
     std::vector<BakedClipPtr> complete(m_uploaded.size());
     for (std::size_t i = 0; i < complete.size(); ++i) {
         complete[i] = m_clips[i].isComplete ? m_uploaded[i] : nullptr;

@@ -85,7 +85,7 @@ void PeopleDrawing::drawGroup(const PassContext& context, const MeshGroup& group
 /// As words.
 void PeopleDrawing::bindInstances(const GlBuffer& instances)
 {
-    if (m_instanceWords.name() == 0) {
+    if (!m_instanceWords) {
         m_instanceWords = GlTexture::create();
     }
     glActiveTexture(GL_TEXTURE0 + kInstancesUnit);

@@ -3,7 +3,7 @@
 uniform usamplerBuffer instances; // Instance, word by word: row and flags, phase, set
 uniform int firstInstance;
 uniform samplerBuffer placement; // per row: position cos | sin height girth lift
-uniform samplerBuffer cardSets;  // SetRecord: low size | middle nearest depth sine | cosine width height layers | first
+uniform usamplerBuffer cardSets; // SetRecord: low size | middle nearest depth sine | cosine width height layers | first
 uniform usamplerBuffer cardShown; // per card: texels from xy up to zw
 uniform mat4 viewProjection;
 uniform vec4 cardEye;         // where one looks from; 0 in w: the direction towards there
@@ -31,9 +31,10 @@ void main()
     uint rowAndFlags = texelFetch(instances, at).x;
     int row = int(rowAndFlags & 0x00FFFFFFu);
     int record = int(texelFetch(instances, at + 2).x) * 4;
-    vec4 extent = texelFetch(cardSets, record);
-    vec4 inside = texelFetch(cardSets, record + 1);
-    vec4 texels = texelFetch(cardSets, record + 2);
+    vec4 extent = uintBitsToFloat(texelFetch(cardSets, record));
+    vec4 inside = uintBitsToFloat(texelFetch(cardSets, record + 1));
+    uvec4 texels = texelFetch(cardSets, record + 2);
+    float cosine = uintBitsToFloat(texels.x);
     vec4 place = texelFetch(placement, row * 2);
     vec4 more = texelFetch(placement, row * 2 + 1);
     shape = vec4(place.w, more.xyz);
@@ -44,20 +45,21 @@ void main()
     int nearest = int(floor(atan(seen.x, seen.z) * (float(kAzimuths) * 0.5 / kPi) + 0.5)) & (kAzimuths - 1);
     float around = float(nearest) * (2.0 * kPi / float(kAzimuths));
     vec3 right = vec3(cos(around), 0.0, -sin(around));
-    vec3 towards = vec3(-right.z * texels.x, inside.w, right.x * texels.x);
+    vec3 towards = vec3(-right.z * cosine, inside.w, right.x * cosine);
     vec3 up = cross(towards, right);
     int turn = gl_VertexID % 6;
     int which = turn < 3 ? turn : 6 - turn; // lower left, lower right, upper left; upper right
-    uvec4 first = floatBitsToUint(texelFetch(cardSets, record + 3));
+    uvec2 first = texelFetch(cardSets, record + 3).xy;
     uint number = texelFetch(instances, at + 1).x * uint(kAzimuths) + uint(nearest);
     vec4 shown = vec4(texelFetch(cardShown, int(first.y + number)));
     onCard = vec2((which & 1) == 0 ? shown.x : shown.z, which < 2 ? shown.y : shown.w);
-    vec2 spot = extent.xy + onCard / texels.yz * extent.zw;
+    vec2 spot = extent.xy + onCard / vec2(texels.yz) * extent.zw;
     vec3 world = middle + turned((right * spot.x + up * spot.y) * scale);
     gl_Position = viewProjection * vec4(world, 1.0);
     onFront = world + turned(towards * inside.y * scale);
     behind = vec4(turned(towards * -inside.z * scale),
                   clamp(round(log2(texelsPerPixel * gl_Position.w / max(shape.w, 1e-4))), 0.0, lastPictureLevel));
-    uint perLayer = uint(texels.y) * uint(texels.z);
-    card = uvec4(first.x + number * perLayer * uint(texels.w), uint(texels.y) | uint(texels.z) << 16, texels.w > 1.0 ? perLayer : 0u, rowAndFlags);
+    uint perLayer = texels.y * texels.z;
+    card = uvec4(first.x + number * perLayer * texels.w, texels.y | texels.z << 16,
+                 texels.w > 1u ? perLayer : 0u, rowAndFlags);
 }
