@@ -2,7 +2,9 @@
 #include "widgets/docks/HistoryDock.h"
 
 #include <QtCore/QLocale>
+#include <QtGui/QPainter>
 #include <QtWidgets/QLabel>
+#include <QtWidgets/QStyledItemDelegate>
 #include <QtWidgets/QUndoView>
 #include <QtWidgets/QVBoxLayout>
 
@@ -12,6 +14,47 @@
 namespace crowd::widgets {
 
 namespace {
+
+/// Steps that are undone together are joined by a line beside them. Row 0 is what was opened.
+class StepDelegate : public QStyledItemDelegate
+{
+public:
+    StepDelegate(const UndoGroups& groups, QObject* parent)
+        : QStyledItemDelegate(parent), m_groups(groups)
+    {
+    }
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override
+    {
+        QStyledItemDelegate::paint(painter, option, index);
+        const bool hasBefore = isJoined(index.row() - 1);
+        const bool hasAfter = isJoined(index.row());
+        if (!hasBefore && !hasAfter) {
+            return;
+        }
+        constexpr int kAway = 6;
+        constexpr int kTick = 4;
+        const QRect& row = option.rect;
+        const int x = row.right() - kAway;
+        const int middle = row.center().y();
+        painter->save();
+        painter->setPen(QPen(option.palette.color(QPalette::PlaceholderText), 1.0));
+        painter->drawLine(x - kTick, middle, x, middle);
+        painter->drawLine(x, hasBefore ? row.top() : middle, x, hasAfter ? row.bottom() : middle);
+        painter->restore();
+    }
+
+private:
+    /// The step of this row and that of the next.
+    [[nodiscard]] bool isJoined(int row) const
+    {
+        const std::uint64_t group = m_groups.groupAt(row - 1);
+        return group != 0 && group == m_groups.groupAt(row);
+    }
+
+    const UndoGroups& m_groups;
+};
 
 QString sizeText(std::uint64_t bytes)
 {
@@ -30,6 +73,9 @@ HistoryDock::HistoryDock(EditorState& state, QWidget* parent)
     view->setEmptyLabel(tr("As opened"));
     view->setCleanIcon(iconNamed("save"));
     view->setFrameShape(QFrame::NoFrame);
+    view->setItemDelegate(new StepDelegate(state.undoGroups(), view));
+    connect(&state.undoGroups(), &UndoGroups::changed, view->viewport(),
+            qOverload<>(&QWidget::update));
     m_memory->setObjectName(QStringLiteral("undoMemory"));
     m_memory->setWordWrap(true);
     m_memory->setEnabled(false);

@@ -20,6 +20,12 @@ std::uint64_t stepAt(const QUndoStack& stack, int index)
 
 } // namespace
 
+void UndoGroups::setOn(bool isOn)
+{
+    m_isOn = isOn;
+    Q_EMIT changed();
+}
+
 void UndoGroups::note(int brush, double begin, double end)
 {
     const QUndoStack& stack = m_document.undoStack();
@@ -32,6 +38,7 @@ void UndoGroups::note(int brush, double begin, double end)
                         m_last.brush == brush && begin - m_last.end <= kPauseSeconds;
     m_last = {step, brush, end, isNext ? m_last.group : step};
     m_groups[step] = m_last.group;
+    Q_EMIT changed();
 }
 
 std::uint64_t UndoGroups::groupAt(int index) const
