@@ -70,6 +70,7 @@ private Q_SLOTS:
     void deletesAPathWithItsPlaces();
     void refusesWhileSomethingElseIsEdited();
     void closesWhenItsPathIsGone();
+    void whatComesBackIsChosenAsItWas();
 };
 
 void tst_EnvironmentMenu::reversesAPath()
@@ -117,6 +118,30 @@ void tst_EnvironmentMenu::closesWhenItsPathIsGone()
     open.document.edit(QStringLiteral("Delete"),
                        [&](model::SceneEdit& edit) { edit.removePath(open.first); });
     QVERIFY(!open.menu.isVisible());
+}
+
+/// Undone, a deletion leaves everything as before it.
+void tst_EnvironmentMenu::whatComesBackIsChosenAsItWas()
+{
+    OpenMenu open;
+    PathFocus& focus = open.state.paths();
+    const std::vector<model::PlaceId> places = open.path(open.first)->places;
+    focus.look(open.first);
+    focus.select(places);
+    open.click(QStringLiteral("Delete It with Its Places"));
+    QVERIFY(focus.places().empty());
+    QCOMPARE(focus.path(), model::PathId{0});
+    open.document.undoStack().undo();
+    QCOMPARE(focus.places(), places);
+    QCOMPARE(focus.path(), open.first);
+    // Who has chosen something else since keeps that.
+    open.document.undoStack().redo();
+    const std::vector<model::PlaceId> others = open.path(open.second)->places;
+    focus.look(open.second);
+    focus.select(others);
+    open.document.undoStack().undo();
+    QCOMPARE(focus.places(), others);
+    QCOMPARE(focus.path(), open.second);
 }
 
 CROWD_WINDOW_TEST(tst_EnvironmentMenu)

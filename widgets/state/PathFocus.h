@@ -10,8 +10,9 @@
 namespace crowd::widgets {
 
 /// Which path is being painted or looked at, which place is being drawn, and which are selected, in
-/// the order in which they were chosen. Follows the document: what vanishes is dropped. Not an
-/// edit; cannot be undone. Main thread; the document outlives it.
+/// the order in which they were chosen. Follows the document: what vanishes is dropped, and chosen
+/// again if the step that took it away is undone. Not an edit; cannot be undone. Main thread; the
+/// document outlives it.
 class PathFocus : public QObject
 {
     Q_OBJECT
@@ -41,10 +42,14 @@ Q_SIGNALS:
 
 private:
     void follow(const model::SceneChange& change);
+    void takeBack();
 
     model::SceneDocument& m_document;
     model::PathId m_path = 0;
     bool m_isPainting = false;
+    /// What was chosen when it vanished, until something else is chosen.
+    model::PathId m_gonePath = 0;
+    std::vector<model::PlaceId> m_gone;
     model::PlaceId m_shaped = 0;
     std::vector<model::PlaceId> m_places;
 };
