@@ -31,11 +31,29 @@ Path pathToExtend(SceneEdit& edit, PathId id, PathKind kind)
     return known != nullptr ? *known : newPath(edit, kind);
 }
 
+QString numberedPlace(std::ptrdiff_t number)
+{
+    return Names::tr("Place %1").arg(number);
+}
+
+/// The first one is Place 1, whatever obstacles there are.
+std::string freePlaceName(const Scene& scene)
+{
+    const auto isSpot = [](const Place& place) { return place.role == PlaceRole::Spot; };
+    const auto spots = std::ranges::count_if(scene.places, isSpot);
+    for (auto number = std::max<std::ptrdiff_t>(spots, 1);; ++number) {
+        std::string name = numberedPlace(number).toStdString();
+        if (std::ranges::find(scene.places, name, &Place::name) == scene.places.end()) {
+            return name;
+        }
+    }
+}
+
 PlaceId addNamed(SceneEdit& edit, Place place)
 {
     place.id = edit.addPlace(place);
     if (place.name.empty() && place.id != 0) {
-        place.name = Names::tr("Place %1").arg(place.id).toStdString();
+        place.name = freePlaceName(edit.scene());
         edit.changePlace(place);
     }
     return place.id;

@@ -3,6 +3,7 @@
 
 #include <QtTest/QTest>
 
+#include "model/document/PathEdits.h"
 #include "model/document/SceneEdit.h"
 #include "model/project/EnvironmentText.h"
 #include "model/project/ProjectReader.h"
@@ -126,6 +127,7 @@ private Q_SLOTS:
     void aRemovedPlaceLeavesItsPaths();
     void aRemovedPathIsFollowedByNobody();
     void aNewPathIsNotTakenForADeletedOne();
+    void placesOfAPathAreCountedByThemselves();
     void tooManyAreRefused();
     void refusesWhatIsWrong_data();
     void refusesWhatIsWrong();
@@ -152,6 +154,28 @@ void TestEnvironment::savingKeepsEverything()
     QCOMPARE(read.value().surface, document.scene().surface);
     QCOMPARE(read.value().stepsPerSecond, 120U);
     QCOMPARE(projectText(read.value()), text);
+}
+
+/// Not after the obstacles that were there before.
+void TestEnvironment::placesOfAPathAreCountedByThemselves()
+{
+    SceneDocument document;
+    document.edit(QStringLiteral("Build"), [](SceneEdit& edit) {
+        Place wall;
+        wall.name = "Obstacle 1";
+        wall.role = PlaceRole::Obstacle;
+        (void)edit.addPlace(wall);
+        Place known;
+        known.name = "Place 3";
+        (void)edit.addPlace(known);
+        PathId path = 0;
+        for (int i = 0; i < 2; ++i) {
+            path = appendPlace(edit, path, Place(), PathKind::Simple);
+        }
+    });
+    const std::vector<Place>& places = document.scene().places;
+    QCOMPARE(places[2].name, std::string("Place 2"));
+    QCOMPARE(places[3].name, std::string("Place 4"));
 }
 
 void TestEnvironment::undoAndRedoRestoreIdenticalBytes()
