@@ -22,17 +22,22 @@ constexpr float kReachMetres = 300.0F;         ///< areas are filled so far from
 constexpr std::size_t kMostCells = 250000;
 constexpr int kProbes = 24;  ///< rays each way that find out what an area covers
 constexpr int kAttempts = 4; ///< places tried in a cell
+constexpr int kDraws = 8;    ///< of the mix, for a place that is too narrow for some
 constexpr std::size_t kCellsPerChunk = 128;
 constexpr float kAboveSurface = 0.05F;
 
 constexpr float kStoreyMetres = 2.0F;  ///< what is higher above a place is not on it
 constexpr float kPersonRadius = 0.25F; ///< of those whom the minimal distance is meant for, metres
+constexpr float kMuchWider = 0.25F;    ///< metres: horses, trucks; the stoutest people are not
 constexpr float kDiscSpacing = 1.0F;   ///< radii, along a long body
 
 float widerThanPerson(float radius)
 {
     return std::max(radius - kPersonRadius, 0.0F);
 }
+
+/// Smaller bodies, as of insects, are in nobody's way.
+constexpr float kInTheWay = 0.1F;
 
 /// Where people stand already: discs along those who are longer than wide.
 std::vector<GroundDisc> discsOf(const Scene& scene)
@@ -48,6 +53,9 @@ std::vector<GroundDisc> discsOf(const Scene& scene)
         const Footprint body =
             entry != nullptr && entry->asset ? entry->asset->footprint : Footprint{};
         const float radius = body.radius * girths[row];
+        if (radius < kInTheWay) {
+            continue;
+        }
         const glm::vec3 way(std::sin(headings[row]), 0.0F, std::cos(headings[row]));
         discs.push_back({positions[row], widerThanPerson(radius)});
         for (const float side : {1.0F, -1.0F}) {
@@ -90,6 +98,22 @@ GroundDisc CreationSite::discAt(const glm::vec3& position, std::uint64_t key) co
     return {position, widerThanPerson(body.reach() * m_settings.as<CreateSettings>().girth.high)};
 }
 
+std::optional<std::uint64_t> CreationSite::fittingKey(const glm::vec3& position,
+                                                      std::uint64_t key) const
+{
+    for (int draw = 0; draw < kDraws; ++draw) {
+        const std::uint64_t drawn = draw == 0 ? key : hashKeys(key, draw);
+        const GroundDisc body = discAt(position, drawn);
+        if (m_neighbours.isFree(body)) {
+            return drawn;
+        }
+        if (body.wider < kMuchWider) {
+            return std::nullopt; // others take hardly less
+        }
+    }
+    return std::nullopt;
+}
+
 void CreationSite::take(const Spot& spot)
 {
     m_neighbours.add(discAt(spot.position, spot.key));
@@ -116,7 +140,6 @@ std::optional<Spot> CreationSite::at(glm::dvec2 pixel, const std::optional<Scree
 {
     auto spot = m_usesSeats ? onSeat(pixel, area) : onSurface(pixel);
     if (spot) {
-        spot->key = hashKeys(m_seed, m_given);
         take(*spot);
     }
     return spot;
@@ -136,7 +159,8 @@ std::optional<Spot> CreationSite::onSeat(glm::dvec2 pixel, const std::optional<S
         randomUnit(hashKeys(m_seed, seat->id), DrawPurpose::SeatShare) >= share) {
         return std::nullopt;
     }
-    return Spot{seat->seat.position, seat->id, seat->seat.headingRadians, 0};
+    return Spot{seat->seat.position, seat->id, seat->seat.headingRadians,
+                hashKeys(m_seed, m_given)};
 }
 
 StrokeReason CreationSite::reasonAgainst(const SurfaceHit& surface) const
@@ -168,10 +192,10 @@ std::optional<Spot> CreationSite::onSurface(glm::dvec2 pixel)
     } else if (const StrokeReason against = reasonAgainst(*surface);
                against != StrokeReason::None) {
         m_reason = against;
-    } else if (!m_neighbours.isFree(discAt(surface->point, hashKeys(m_seed, m_given)))) {
-        m_reason = StrokeReason::TooNearToOthers;
+    } else if (const auto key = fittingKey(surface->point, hashKeys(m_seed, m_given))) {
+        return Spot{surface->point, kNoSeat, 0.0F, *key};
     } else {
-        return Spot{surface->point, kNoSeat, 0.0F, 0};
+        m_reason = StrokeReason::TooNearToOthers;
     }
     return std::nullopt;
 }
@@ -312,8 +336,9 @@ std::vector<Spot> CreationSite::fillSurface(const ScreenArea& area)
         std::vector<Cell> crowded;
         for (std::size_t i = 0; i < open.size(); ++i) {
             against = reasons[i] != StrokeReason::None ? reasons[i] : against;
-            if (places[i] && m_neighbours.isFree(discAt(*places[i], keyOf(open[i])))) {
-                spots.push_back({*places[i], kNoSeat, 0.0F, keyOf(open[i])});
+            const auto key = places[i] ? fittingKey(*places[i], keyOf(open[i])) : std::nullopt;
+            if (key) {
+                spots.push_back({*places[i], kNoSeat, 0.0F, *key});
                 m_tried.insert(keyOf(open[i]));
                 take(spots.back());
             } else if (places[i]) {

@@ -64,6 +64,10 @@ private:
                                                      StrokeReason& against) const;
     [[nodiscard]] std::uint64_t keyOf(Cell cell) const;
     [[nodiscard]] GroundDisc discAt(const glm::vec3& position, std::uint64_t key) const;
+    /// Of who comes there: drawn by `key`, or, where he needs more room than there is, somebody
+    /// else of the mix. None: nobody has room.
+    [[nodiscard]] std::optional<std::uint64_t> fittingKey(const glm::vec3& position,
+                                                          std::uint64_t key) const;
     void take(const Spot& spot);
 
     const Scene& m_scene;

@@ -61,6 +61,8 @@ private Q_SLOTS:
     void keepsOutOfForbiddenGround();
     void keepsTheMinimalDistance();
     void wideBodiesTakeMoreRoom();
+    void whoFitsComesWhereOthersDoNot();
+    void insectsAreInNobodysWay();
     void looksThroughPeople();
     void variesWithinTheRanges();
     void dressesEachInAnOutfit();
@@ -206,6 +208,56 @@ void tst_BrushCreate::wideBodiesTakeMoreRoom()
             const float least = templates[other] == 2 ? 0.8F : 0.65F;
             QVERIFY(glm::length(from - along * way) > least - 0.05F);
         }
+    }
+}
+
+/// A click makes somebody if anybody of the mix has room.
+void tst_BrushCreate::whoFitsComesWhereOthersDoNot()
+{
+    auto bus = std::make_shared<Template>(*boxMan());
+    bus->footprint = {1.5F, 6.0F, 6.0F};
+    BrushScene scene;
+    const auto edit = scene.document.beginEdit().value();
+    edit->addTemplate(boxManEntry(2, bus));
+    edit->commit(QStringLiteral("Add"));
+    scene.addPeople({{0, 0, 0}});
+    BrushSettings settings = creator(BrushSelection::Point);
+    settings.as<CreateSettings>().mix = {{1, 1.0F}, {2, 1.0F}};
+    settings.as<CreateSettings>().minimalDistance = 0.5F;
+    constexpr int kClicks = 12;
+    for (int i = 0; i < kClicks; ++i) {
+        const float around = 0.5F * static_cast<float>(i);
+        const glm::vec3 place(1.5F * std::sin(around), 0.0F, 1.5F * std::cos(around));
+        const std::vector<glm::dvec2> click{pixelOf(fromAbove(), place)};
+        QCOMPARE(scene.paint(fromAbove(), settings, click, static_cast<std::uint64_t>(i)).affected,
+                 1);
+    }
+    const auto templates = scene.people().column(columns::templateId);
+    QVERIFY(std::ranges::count(templates, TemplateId{2}) == 0);
+    // Where nobody is, both come; the room is asked of the one who does.
+    settings.as<CreateSettings>().mix = {{2, 1.0F}};
+    const std::vector<glm::dvec2> click{pixelOf(fromAbove(), {2.0F, 0.0F, 0.0F})};
+    const auto refused = scene.paint(fromAbove(), settings, click);
+    QCOMPARE(refused.affected, 0);
+    QCOMPARE(refused.reason, StrokeReason::TooNearToOthers);
+}
+
+void tst_BrushCreate::insectsAreInNobodysWay()
+{
+    for (const bool isInsect : {true, false}) {
+        auto small = std::make_shared<Template>(*boxMan());
+        small->footprint = {isInsect ? 0.02F : 0.2F, 0.0F, 0.0F};
+        BrushScene scene;
+        const auto edit = scene.document.beginEdit().value();
+        edit->addTemplate(boxManEntry(2, small));
+        edit->commit(QStringLiteral("Add"));
+        BrushSettings settings = creator(BrushSelection::Point);
+        settings.as<CreateSettings>().minimalDistance = 0.5F;
+        settings.as<CreateSettings>().mix = {{2, 1.0F}};
+        const std::vector<glm::dvec2> click{pixelOf(fromAbove(), {1.0F, 0.0F, 0.0F})};
+        QCOMPARE(scene.paint(fromAbove(), settings, click).affected, 1);
+        settings.as<CreateSettings>().mix = {{1, 1.0F}};
+        QCOMPARE(scene.paint(fromAbove(), settings, click).affected, isInsect ? 1 : 0);
     }
 }
 
