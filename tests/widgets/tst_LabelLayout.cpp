@@ -40,7 +40,18 @@ private Q_SLOTS:
     void whatHasNoRoomIsLeftOut();
     void importantLabelsAreNeverLeftOut();
     void labelsStayBetweenTheSides();
+    void labelsKeepClearOfWhatIsThere();
 };
+
+/// What is said at the cursor.
+void TestLabelLayout::labelsKeepClearOfWhatIsThere()
+{
+    const std::vector<LabelWish> wishes{labelAt(400, 300, true), labelAt(600, 300)};
+    const QRectF atTheCursor(380.0, 265.0, 60.0, 24.0);
+    const auto plates = layOutLabels(wishes, kLabelArea, {atTheCursor});
+    QVERIFY(plates[0] && !plates[0]->intersects(atTheCursor));
+    QCOMPARE(plates[1]->center(), QPointF(600, 278));
+}
 
 void TestLabelLayout::aloneALabelStandsAboveItsPoint()
 {

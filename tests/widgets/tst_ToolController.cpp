@@ -26,8 +26,10 @@ private Q_SLOTS:
     void lateEventsNeverTurnTimeBack();
     void theEnvironmentBrushSaysWhatItPaintsAndChoosesIt();
     void aDoubleClickPutsAPlaceIntoAPath();
+    void aDoubleClickOfThePathBrushDoesToo();
     void aPathOfOnePlaceGoesWhenItEnds();
     void shortStrokesInARowAreUndoneTogether();
+    void whyNothingCameIsSaidAtTheCursor();
     void aPathOfPlacesIsOfTheKindThatWasAskedFor();
     void theWalkBrushComesBackToItsPath();
 };
@@ -152,6 +154,46 @@ void TestToolController::aDoubleClickPutsAPlaceIntoAPath()
     QCOMPARE(hand.document.scene().places.size(), std::size_t{2});
 }
 
+/// Its first click begins no path that stays, nor one for people to walk along.
+void TestToolController::aDoubleClickOfThePathBrushDoesToo()
+{
+    Hand hand;
+    hand.state.setTool(ToolId::BrushPath);
+    for (const double x : {-120.0, 120.0}) {
+        hand.press(kCenter + QPointF(x, 0.0));
+        hand.release(kCenter + QPointF(x, 0.0));
+    }
+    const model::PathId made = hand.document.scene().paths[0].id;
+    const auto followed = [&hand] {
+        return hand.state.brush(model::BrushKind::Walk).as<crowd::model::WalkSettings>().path;
+    };
+    QCOMPARE(followed(), made);
+    hand.key(Qt::Key_Escape);
+    hand.press(kCenter);
+    hand.release(kCenter);
+    QCOMPARE(hand.document.scene().paths.size(), std::size_t{2});
+    QCOMPARE(followed(), made); // the other one leads nowhere yet
+    const int steps = hand.document.undoStack().count();
+    ToolInput second = hand.at(kCenter, Qt::LeftButton);
+    second.isSecond = true;
+    hand.tools.press(second);
+    hand.release(kCenter);
+    QCOMPARE(hand.document.scene().paths.size(), std::size_t{1});
+    QCOMPARE(hand.document.scene().paths[0].places.size(), std::size_t{3});
+    QCOMPARE(hand.document.undoStack().count(), steps); // in place of the path that was begun
+    // In the open it is two places, as two clicks are.
+    hand.key(Qt::Key_Escape);
+    const QPointF aside = kCenter + QPointF(0.0, 150.0);
+    hand.press(aside);
+    hand.release(aside);
+    second = hand.at(aside + QPointF(60.0, 0.0), Qt::LeftButton);
+    second.isSecond = true;
+    hand.tools.press(second);
+    hand.release(aside + QPointF(60.0, 0.0));
+    QCOMPARE(hand.document.scene().paths.size(), std::size_t{2});
+    QCOMPARE(hand.document.scene().paths[1].places.size(), std::size_t{2});
+}
+
 /// By choice; what came after a pause, or by another brush, stays.
 void TestToolController::shortStrokesInARowAreUndoneTogether()
 {
@@ -176,6 +218,9 @@ void TestToolController::shortStrokesInARowAreUndoneTogether()
     QCOMPARE(places(), std::size_t{3});
     hand.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     hand.state.undoGroups().setOn(true);
+    const auto groupAt = [&hand](int step) { return hand.state.undoGroups().groupAt(step); };
+    QVERIFY(groupAt(1) != 0 && groupAt(1) == groupAt(2) && groupAt(2) == groupAt(3));
+    QVERIFY(groupAt(0) != groupAt(1));
     hand.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(places(), std::size_t{1});
     hand.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
@@ -195,6 +240,22 @@ void TestToolController::shortStrokesInARowAreUndoneTogether()
     QCOMPARE(places(), std::size_t{5});
     hand.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(places(), std::size_t{4});
+}
+
+/// Where the hand looks, and not for ever.
+void TestToolController::whyNothingCameIsSaidAtTheCursor()
+{
+    Hand hand;
+    hand.state.setTool(ToolId::BrushColour);
+    const QPointF sky(30.0, 5.0);
+    hand.press(sky);
+    hand.release(sky);
+    QCOMPARE(hand.tools.picture().label, QStringLiteral("Nobody under the brush"));
+    hand.press(sky);
+    QVERIFY(hand.tools.picture().label != QStringLiteral("Nobody under the brush"));
+    hand.release(sky);
+    QCOMPARE(hand.tools.picture().label, QStringLiteral("Nobody under the brush"));
+    QTRY_COMPARE(hand.tools.picture().label, QString());
 }
 
 /// It would lead nowhere.

@@ -369,6 +369,12 @@ void EditorState::setLongWork(const LongWork& work)
     Q_EMIT longWorkChanged(m_longWork);
 }
 
+void EditorState::refuse(const QString& text)
+{
+    showStatus(text);
+    Q_EMIT refused(text);
+}
+
 void EditorState::setHint(const QString& hint)
 {
     if (m_hint == hint) {

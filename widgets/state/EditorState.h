@@ -227,6 +227,8 @@ public:
     void setHint(const QString& hint);
     /// A passing remark for the status bar: "No free seat under the brush".
     void showStatus(const QString& text) { Q_EMIT statusMessage(text); }
+    /// Why what was just tried in the picture did nothing: also said where the hand looks.
+    void refuse(const QString& text);
 
     /// Called by the viewport's frame clock: transport and camera motion go on.
     void advance(double realSeconds);
@@ -250,6 +252,7 @@ Q_SIGNALS:
     void longWorkChanged(const crowd::widgets::LongWork& work);
     void hintChanged(const QString& hint);
     void statusMessage(const QString& text);
+    void refused(const QString& text);
     /// A clip was baked in the background.
     void keyframesChanged(const crowd::model::KeyframeStore::Progress& progress);
 

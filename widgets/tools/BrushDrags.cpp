@@ -155,9 +155,13 @@ void StrokeDrag::release(const ToolInput& input)
         m_context.state.noteStroke(kind);
     }
     rememberSources(m_context.state, kind, outcome);
-    m_context.state.showStatus(outcome.isCommitted || outcome.isSent
-                                   ? affectedText(kind, outcome.affected)
-                                   : outcome.message);
+    if (outcome.isCommitted || outcome.isSent) {
+        m_context.state.showStatus(affectedText(kind, outcome.affected));
+    } else if (outcome.reason == model::StrokeReason::SourcesChosen) {
+        m_context.state.showStatus(outcome.message); // half way
+    } else {
+        m_context.state.refuse(outcome.message);
+    }
 }
 
 void StrokeDrag::cancel()

@@ -153,7 +153,7 @@ DragSessionPtr BrushTool::scriptStroke(std::uint64_t seed, const ToolInput& inpu
     EditorState& state = m_context.state;
     ScriptPainter* painter = state.scriptPainter();
     if (painter == nullptr || state.scriptBrushes().empty()) {
-        state.showStatus(
+        state.refuse(
             BrushToolText::tr("No script brush is there yet: a script brings one along with "
                               "crowdbrush.register_brush."));
         return nullptr;

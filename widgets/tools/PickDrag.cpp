@@ -173,9 +173,8 @@ void PickDrag::release(const ToolInput& input)
     update(input);
     m_context.state.setPicking(Picking::None);
     if (m_label.isEmpty() && m_kind != PickKind::Point) {
-        m_context.state.showStatus(m_isPerson
-                                       ? PickDragText::tr("Nothing to take there for this brush")
-                                       : PickDragText::tr("Nobody under the cursor"));
+        m_context.state.refuse(m_isPerson ? PickDragText::tr("Nothing to take there for this brush")
+                                          : PickDragText::tr("Nobody under the cursor"));
     } else if (!m_label.isEmpty()) {
         const auto* create = m_before.find<model::CreateSettings>();
         const bool areOthersLeft = create != nullptr && create->mix.size() > 1;

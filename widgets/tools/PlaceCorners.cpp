@@ -24,24 +24,7 @@ struct PlaceCornersText
     Q_DECLARE_TR_FUNCTIONS(PlaceCorners)
 };
 
-constexpr double kCornerPixels = 8.0;
-constexpr double kSidePixels = 5.0;
 constexpr double kCornerSlack = 4.0;
-
-std::size_t sidesOf(const model::Place& place)
-{
-    return place.shape == model::PlaceShape::Area ? place.corners.size() : place.corners.size() - 1;
-}
-
-/// How wide a line is where it begins, from its middle, pixels.
-double halfPixels(const model::View& view, const model::Place& place, const glm::vec3& corner)
-{
-    const auto middle = view.project(corner);
-    const auto aside = view.project(corner + glm::vec3(place.radius, 0.0F, 0.0F));
-    return middle && aside && place.shape == model::PlaceShape::Line
-               ? QLineF(QPointF(middle->x, middle->y), QPointF(aside->x, aside->y)).length()
-               : 0.0;
-}
 
 /// A line that comes back to where it began has its first corner twice: both move.
 void moveCorner(std::vector<glm::vec3>& corners, std::size_t corner, const glm::vec3& to)
@@ -146,46 +129,6 @@ bool takeOut(model::Place& place, std::vector<glm::vec3>& corners, std::size_t c
 
 } // namespace
 
-double distanceToSide(const QPointF& pixel, const QPointF& from, const QPointF& to)
-{
-    const QPointF along = to - from;
-    const double square = QPointF::dotProduct(along, along);
-    const double share =
-        square > 0.0 ? std::clamp(QPointF::dotProduct(pixel - from, along) / square, 0.0, 1.0)
-                     : 0.0;
-    return QLineF(pixel, from + along * share).length();
-}
-
-std::optional<PlaceHit> shapeAt(const model::View& view, const model::Place& place,
-                                const QPointF& pixel)
-{
-    if (place.shape == model::PlaceShape::Round) {
-        return std::nullopt;
-    }
-    const std::vector<glm::vec3> corners = model::cornersOf(place);
-    std::vector<std::optional<QPointF>> pixels;
-    pixels.reserve(corners.size());
-    for (const glm::vec3& corner : corners) {
-        const auto at = view.project(corner);
-        pixels.push_back(at ? std::optional(QPointF(at->x, at->y)) : std::nullopt);
-    }
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        if (pixels[i] && QLineF(pixel, *pixels[i]).length() < kCornerPixels) {
-            return PlaceHit{place.id, false, i};
-        }
-    }
-    for (std::size_t i = 0; i < sidesOf(place); ++i) {
-        const auto& from = pixels[i];
-        const auto& to = pixels[(i + 1) % pixels.size()];
-        if (from && to &&
-            distanceToSide(pixel, *from, *to) <
-                std::max(kSidePixels, halfPixels(view, place, corners[i]))) {
-            return PlaceHit{place.id, false, std::nullopt};
-        }
-    }
-    return std::nullopt;
-}
-
 DragSessionPtr cornerDrag(const ToolContext& context, const ToolInput& press, const PlaceHit& hit)
 {
     return std::make_unique<CornerDrag>(context, press, hit);
@@ -204,8 +147,7 @@ bool changeCorners(const ToolContext& context, const ToolInput& input, const Pla
     if (hit.corner) {
         text = PlaceCornersText::tr("Take out a corner");
         if (!takeOut(place, corners, *hit.corner)) {
-            context.state.showStatus(
-                PlaceCornersText::tr("A line keeps two corners, an area three."));
+            context.state.refuse(PlaceCornersText::tr("A line keeps two corners, an area three."));
             return true;
         }
     } else if (ground) {

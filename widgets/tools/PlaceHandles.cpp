@@ -6,7 +6,6 @@
 #include <limits>
 
 #include <QtCore/QCoreApplication>
-#include <QtCore/QLineF>
 #include <QtCore/QLocale>
 
 #include "model/base/Segment.h"
@@ -21,10 +20,6 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr int kSides = 40;
-constexpr double kMiddlePixels = 9.0;
-constexpr double kBorderPixels = 5.0;
-constexpr float kLeastUpright = 0.5F; ///< of a surface's normal: steeper is a wall
 constexpr double kHandleClickSlack = 4.0;
 constexpr float kBesideMetres = 0.3F; ///< a place that stood on the ground may end so far off it
 
@@ -46,15 +41,6 @@ struct PlaceHandlesText
 {
     Q_DECLARE_TR_FUNCTIONS(PlaceHandles)
 };
-
-double distanceTo(const QPolygonF& outline, const QPointF& pixel)
-{
-    double nearest = 1e9;
-    for (int i = 0; i + 1 < outline.size(); ++i) {
-        nearest = std::min(nearest, distanceToSide(pixel, outline[i], outline[i + 1]));
-    }
-    return nearest;
-}
 
 class PlaceDrag : public DragSession
 {
@@ -210,55 +196,6 @@ private:
 
 } // namespace
 
-QPolygonF placeOutline(const model::View& view, const glm::vec3& position, float radius)
-{
-    QPolygonF outline;
-    for (int i = 0; i <= kSides; ++i) {
-        const float angle = 6.2831853F * static_cast<float>(i) / static_cast<float>(kSides);
-        const auto pixel =
-            view.project(position + radius * glm::vec3(std::sin(angle), 0.0F, std::cos(angle)));
-        if (!pixel) {
-            return {};
-        }
-        outline << QPointF(pixel->x, pixel->y);
-    }
-    return outline;
-}
-
-std::optional<PlaceHit> placeAt(const ToolContext& context, const QPointF& pixel)
-{
-    if (!context.state.viewOptions().showPaths) {
-        return std::nullopt;
-    }
-    const model::View view = context.queries.view();
-    std::optional<PlaceHit> border;
-    double nearest = kMiddlePixels;
-    std::optional<PlaceHit> middle;
-    std::optional<PlaceHit> corner;
-    for (const model::Place& place : context.state.scene().places) {
-        const auto center = view.project(place.position);
-        if (!center) {
-            continue;
-        }
-        const double away = QLineF(pixel, QPointF(center->x, center->y)).length();
-        if (away < nearest) {
-            nearest = away;
-            middle = PlaceHit{place.id};
-        }
-        const auto shape = shapeAt(view, place, pixel);
-        if (shape && shape->corner) {
-            corner = shape;
-        } else if (!border && shape) {
-            border = shape;
-        } else if (!border && place.shape == model::PlaceShape::Round &&
-                   distanceTo(placeOutline(view, place.position, place.radius), pixel) <
-                       kBorderPixels) {
-            border = PlaceHit{place.id, true};
-        }
-    }
-    return corner ? corner : middle ? middle : border;
-}
-
 namespace {
 
 /// The way from one place of a path to the next, by the first one's index; path 0: none.
@@ -361,14 +298,6 @@ DragSessionPtr placeDrag(const ToolContext& context, const ToolInput& press, con
 {
     return hit.corner ? cornerDrag(context, press, hit)
                       : std::make_unique<PlaceDrag>(context, press, hit);
-}
-
-std::optional<glm::vec3> groundUnder(const ToolContext& context, const ToolInput& input)
-{
-    const auto hit =
-        context.queries.picker(input.pointer.shownSeconds).surfaceAt(input.pointer.pixels());
-    const bool isGround = hit && hit->normal.y > kLeastUpright;
-    return isGround ? std::optional<glm::vec3>(hit->point) : std::nullopt;
 }
 
 namespace {

@@ -1,30 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-#include <optional>
-
-#include <QtCore/QPointF>
-#include <QtGui/QPolygonF>
-
-#include "widgets/tools/Tool.h"
+#include "widgets/tools/PlaceHits.h"
 
 /// Places as something to take hold of in the picture.
 namespace crowd::widgets {
 
-/// What of a place is under the pointer.
-struct PlaceHit
-{
-    model::PlaceId place = 0;
-    bool isBorder = false;                            ///< its circle: dragging it changes the size
-    std::optional<std::size_t> corner = std::nullopt; ///< of a line or an area
-};
-
-/// The circle of a place on screen, closed; empty where it is behind the camera.
-[[nodiscard]] QPolygonF placeOutline(const model::View& view, const glm::vec3& position,
-                                     float radius);
-/// The place whose middle, corner, side or circle is under a pixel; middles and corners first.
-[[nodiscard]] std::optional<PlaceHit> placeAt(const ToolContext& context, const QPointF& pixel);
 /// The path on whose band the ground under a pixel lies; of several, the one whose middle is
 /// nearest for its width. 0: none, or paths are not shown.
 [[nodiscard]] model::PathId pathUnder(const ToolContext& context, const ToolInput& input);
@@ -35,9 +16,6 @@ bool insertPlaceUnder(const ToolContext& context, const ToolInput& input);
 /// changes its size.
 [[nodiscard]] DragSessionPtr placeDrag(const ToolContext& context, const ToolInput& press,
                                        const PlaceHit& hit);
-/// Stage or ground under the pointer.
-[[nodiscard]] std::optional<glm::vec3> groundUnder(const ToolContext& context,
-                                                   const ToolInput& input);
 
 /// The selected places become larger or smaller, in the steps of the path brush: one undo step.
 void resizePlaces(EditorState& state, int steps);

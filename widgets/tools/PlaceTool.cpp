@@ -12,6 +12,7 @@
 #include "model/document/SceneEdit.h"
 #include "model/scene/NearestPath.h"
 #include "widgets/tools/EnvironmentPlaces.h"
+#include "widgets/tools/PlaceHits.h"
 #include "widgets/tools/ShapeDrag.h"
 
 namespace crowd::widgets {
@@ -81,11 +82,31 @@ private:
         return brush().as<model::PathSettings>().kind;
     }
 
+    /// The first click of a double click on another path has begun one of its own: that goes, and
+    /// the path under the pointer gets the place.
+    [[nodiscard]] bool insert(const ToolInput& input)
+    {
+        EditorState& state = m_context.state;
+        const model::Path* begun =
+            state.paths().isPainting() ? state.scene().findPath(state.paths().path()) : nullptr;
+        const bool isInto = m_kind == BrushKind::Path && input.isSecond && begun != nullptr &&
+                            begun->places.size() == 1 && pathUnder(m_context, input) != 0;
+        if (!isInto) {
+            return false;
+        }
+        state.document().undoStack().undo();
+        state.paths().end();
+        return insertPlaceUnder(m_context, input);
+    }
+
     void add(const ToolInput& input)
     {
+        if (insert(input)) {
+            return;
+        }
         const auto ground = groundUnder(m_context, input);
         if (!ground) {
-            m_context.state.showStatus(PlaceToolText::tr(
+            m_context.state.refuse(PlaceToolText::tr(
                 "Nothing to walk on there: the pointer is on the sky, or on something upright. "
                 "Click on the ground beside it."));
             return;
@@ -93,7 +114,7 @@ private:
         const auto walkable = settings().anywhere ? nullptr : m_context.state.ground().wait();
         const auto refusal = walkable ? walkable->refusal(*ground) : model::WalkRefusal::None;
         if (refusal != model::WalkRefusal::None) {
-            m_context.state.showStatus(model::reasonText(model::reasonOf(refusal)));
+            m_context.state.refuse(model::reasonText(model::reasonOf(refusal)));
             return;
         }
         m_last = ground;
@@ -140,7 +161,8 @@ private:
         const model::PathId extended = extend(text, [&](model::SceneEdit& edit) {
             return appendPlace(edit, current, place, newPathKind());
         });
-        if (extended != 0) {
+        const model::Path* made = state.scene().findPath(extended);
+        if (made != nullptr && made->places.size() > 1) { // else it leads nowhere yet
             followFromNowOn(extended);
             sayWay(extended);
         }
@@ -239,19 +261,21 @@ QString PlaceTool::hint() const
     if (makesShapes(m_context, m_kind) &&
         m_context.state.brush(m_kind).as<model::EnvironmentSettings>().shape ==
             model::PlaceShape::Area) {
-        return PlaceToolText::tr("Click: add a corner · Drag: draw freely · Enter or double click: "
-                                 "end it · on the first "
+        return PlaceToolText::tr("Click: add a corner · Drag: draw freely · Enter, Esc or double "
+                                 "click: end it · on the first "
                                  "corner: close it · V: move corners");
     }
     if (makesShapes(m_context, m_kind)) {
-        return PlaceToolText::tr("Click: add a corner · Drag: draw freely · Enter or double click: "
-                                 "end it · on the first "
+        return PlaceToolText::tr("Click: add a corner · Drag: draw freely · Enter, Esc or double "
+                                 "click: end it · on the first "
                                  "corner: close it · + −: the width of a line · V: move corners");
     }
     return m_kind == BrushKind::Path
                ? PlaceToolText::tr(
                      "Click: add a place to the path · + −: its size · on the first place: "
-                     "close the path · Enter: end it · V: move and resize places")
+                     "close the path · Enter or Esc: end it · Double click on a path: another "
+                     "place in it · "
+                     "V: move and resize places")
                : PlaceToolText::tr(
                      "Click: put it on the ground · + −: its size · V: move and resize");
 }

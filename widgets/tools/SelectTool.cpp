@@ -13,6 +13,7 @@
 #include "widgets/tools/LightHandles.h"
 #include "widgets/tools/PlaceCorners.h"
 #include "widgets/tools/PlaceHandles.h"
+#include "widgets/tools/PlaceHits.h"
 
 namespace crowd::widgets {
 
@@ -155,7 +156,7 @@ public:
         const model::StrokeOutcome outcome = m_move->finish();
         m_move.reset();
         if (!outcome.isCommitted && !outcome.message.isEmpty()) {
-            m_context.state.showStatus(outcome.message);
+            m_context.state.refuse(outcome.message);
         }
     }
 

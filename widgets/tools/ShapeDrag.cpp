@@ -15,6 +15,7 @@
 #include "model/scene/PlaceShape.h"
 #include "widgets/tools/EnvironmentPlaces.h"
 #include "widgets/tools/PlaceHandles.h"
+#include "widgets/tools/PlaceHits.h"
 
 namespace crowd::widgets {
 
@@ -114,7 +115,7 @@ public:
             context.state.showStatus({}); // of the click before
             m_trail = {*ground};
         } else {
-            context.state.showStatus(ShapeDragText::tr(
+            context.state.refuse(ShapeDragText::tr(
                 "Nothing to stand on there: the pointer is on the sky, or on something upright. "
                 "Click on the ground beside it."));
             m_isOver = true;
@@ -207,7 +208,7 @@ private:
 
     void sayTooMuch() const
     {
-        m_context.state.showStatus(
+        m_context.state.refuse(
             ShapeDragText::tr("That is too far away or has more than %1 corners: press Enter, and "
                               "begin another one.")
                 .arg(model::kMostCorners));

@@ -16,6 +16,7 @@ namespace crowd::widgets {
 
 namespace {
 
+constexpr int kRefusalMs = 3000;
 constexpr double kTapSeconds = 0.35;         ///< a key held longer was held
 constexpr double kRepetitionSeconds = 0.004; ///< shorter than any hand between release and press
 
@@ -61,7 +62,33 @@ ToolController::ToolController(EditorState& state) : m_state(state), m_queries(s
     connect(&state, &EditorState::brushChanged, this, &ToolController::renewTexts);
     connect(&state.paths(), &PathFocus::changed, this, &ToolController::refreshPicture);
     connect(&state, &EditorState::viewCameraChanged, this, &ToolController::refreshPicture);
+    followRefusals();
     refreshHint();
+}
+
+void ToolController::followRefusals()
+{
+    m_refusalTime.setSingleShot(true);
+    m_refusalTime.setInterval(kRefusalMs);
+    connect(&m_refusalTime, &QTimer::timeout, this, [this] {
+        m_refusal.clear();
+        refreshPicture();
+    });
+    connect(&m_state, &EditorState::refused, this, [this](const QString& text) {
+        m_refusal = text;
+        m_refusalTime.start();
+        refreshPicture();
+    });
+}
+
+/// Unless the tool itself has something to say there.
+void ToolController::addRefusal(ToolPicture& picture) const
+{
+    if (m_refusal.isEmpty() || !picture.label.isEmpty()) {
+        return;
+    }
+    picture.label = m_refusal;
+    picture.symbolAt = picture.symbol ? picture.symbolAt : m_pointer->position();
 }
 
 ToolController::~ToolController()
@@ -139,7 +166,7 @@ void ToolController::takePerson(const ToolInput& input)
     if (hit) {
         m_state.offerPerson(hit->id);
     } else {
-        m_state.showStatus(tr("There is nobody under the cursor"));
+        m_state.refuse(tr("There is nobody under the cursor"));
     }
 }
 
@@ -150,7 +177,7 @@ void ToolController::takePoint(const ToolInput& input)
     if (surface) {
         m_state.offerPoint(surface->point);
     } else {
-        m_state.showStatus(tr("There is no ground under the cursor"));
+        m_state.refuse(tr("There is no ground under the cursor"));
     }
 }
 
@@ -168,6 +195,7 @@ void ToolController::press(const ToolInput& event)
         m_session->release(input); // a release that never came
         finish();
     }
+    m_refusal.clear();
     m_pressSeconds = input.pointer.timeSeconds;
     m_pressIndex = m_state.document().undoStack().index();
     m_session = sessionFor(input);
@@ -304,6 +332,11 @@ bool ToolController::spaceDown(const KeyInput& input)
     return true;
 }
 
+void ToolController::togglePlaying()
+{
+    m_state.transport().toggle();
+}
+
 bool ToolController::spaceUp(const KeyInput& input)
 {
     if (!m_isSpaceHeld || input.isRepeat) {
@@ -312,7 +345,7 @@ bool ToolController::spaceUp(const KeyInput& input)
     m_isSpaceHeld = false;
     m_spaceUpSeconds = input.timeSeconds;
     if (!m_isSpaceUsed && input.timeSeconds - m_spaceSeconds <= kTapSeconds) {
-        m_state.transport().toggle();
+        togglePlaying();
     }
     refreshPicture();
     return true;
@@ -434,8 +467,10 @@ void ToolController::refreshPicture()
     } else if (m_pointer && isAskingForClick(m_state)) {
         picture.cursor = Qt::CrossCursor;
         picture.crosshair = m_pointer->position();
+        addRefusal(picture);
     } else if (m_pointer) {
         activeTool().hover(*m_pointer, picture);
+        addRefusal(picture);
         // What takes longer stays as it was until the next frame.
         picture.ghosts = m_picture.ghosts;
         picture.hovered = m_picture.hovered;

@@ -7,6 +7,7 @@
 
 #include <QtCore/QObject>
 #include <QtCore/QPointF>
+#include <QtCore/QTimer>
 
 #include "widgets/tools/NavigateDrag.h"
 #include "widgets/tools/SceneQueries.h"
@@ -44,6 +45,7 @@ public:
     void wheel(const WheelInput& input);
     bool keyDown(const KeyInput& input); ///< true when used
     bool keyUp(const KeyInput& input);
+    void togglePlaying();
     /// Once a frame; `resting` is the last input at the present time.
     void tick(const ToolInput& resting, double elapsedSeconds);
     void leave();
@@ -82,6 +84,8 @@ private:
     void replacePicture(ToolPicture picture);
     void refreshHint();
     void changeBrush(const model::BrushSettings& settings, bool saysNumber);
+    void followRefusals();
+    void addRefusal(ToolPicture& picture) const;
 
     EditorState& m_state;
     SceneQueries m_queries;
@@ -92,6 +96,8 @@ private:
     Qt::MouseButton m_sessionButton = Qt::NoButton;
     WheelDolly m_wheel;
     ToolPicture m_picture;
+    QString m_refusal; ///< said at the cursor for a while
+    QTimer m_refusalTime;
     std::optional<ToolInput> m_pointer; ///< last input; nothing while outside
     bool m_hasShortcuts = true;
     bool m_isPreviewStale = false;

@@ -29,11 +29,10 @@ QRectF plateAt(const LabelWish& wish, int step, const QRectF& area)
 } // namespace
 
 std::vector<std::optional<QRectF>> layOutLabels(std::span<const LabelWish> wishes,
-                                                const QRectF& area)
+                                                const QRectF& area, std::vector<QRectF> taken)
 {
     std::vector<std::optional<QRectF>> plates(wishes.size());
     const QRectF seen = area.adjusted(-kBeyond, -kBeyond, kBeyond, kBeyond);
-    std::vector<QRectF> taken;
     const auto isFree = [&taken](const QRectF& plate) {
         return std::ranges::none_of(
             taken, [&plate](const QRectF& other) { return other.intersects(plate); });

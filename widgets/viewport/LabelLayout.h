@@ -19,8 +19,8 @@ struct LabelWish
 
 /// Where labels go so that none covers another: above their points, else stacked further up, else
 /// below; none where there is no room or whose point lies out of sight. Kept between the sides of
-/// `area`. One entry a wish.
-[[nodiscard]] std::vector<std::optional<QRectF>> layOutLabels(std::span<const LabelWish> wishes,
-                                                              const QRectF& area);
+/// `area` and clear of `taken`. One entry a wish.
+[[nodiscard]] std::vector<std::optional<QRectF>>
+layOutLabels(std::span<const LabelWish> wishes, const QRectF& area, std::vector<QRectF> taken = {});
 
 } // namespace crowd::widgets

@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kSymbolSize = 26.0;
 constexpr double kTarget = 8.0;
+constexpr double kLabelSize = 0.92; ///< of the window's font
+constexpr double kLabelWidth = 320.0;
 
 const QColor kDark = QColor::fromRgba(kOverlayDark);
 const QColor kLight = QColor::fromRgba(kOverlayLight);
@@ -31,11 +33,34 @@ void drawTwice(QPainter& painter, double width, const Draw& draw)
     draw();
 }
 
-QSizeF plateSize(QPainter& painter, const QRectF& area, const QString& text)
+QFont resized(QFont font, double share)
 {
-    const QRectF wide(0.0, 0.0, std::max(80.0, area.width() - 40.0), area.height());
-    const QRectF bounds = painter.boundingRect(wide, Qt::AlignCenter | Qt::TextWordWrap, text);
+    font.setPointSizeF(font.pointSizeF() * share);
+    return font;
+}
+
+/// In several lines where `widest` is less than the text.
+QSizeF plateSize(const QFont& font, double widest, const QString& text)
+{
+    const QRectF wide(0.0, 0.0, widest, 1000.0);
+    const QRectF bounds =
+        QFontMetricsF(font).boundingRect(wide, Qt::AlignCenter | Qt::TextWordWrap, text);
     return {bounds.width() + 22.0, bounds.height() + 12.0};
+}
+
+double widestIn(const QRectF& area)
+{
+    return std::max(80.0, area.width() - 40.0);
+}
+
+/// Around `center`, kept between the sides of `area`.
+QRectF plateAround(const QRectF& area, const QPointF& center, const QSizeF& size)
+{
+    QRectF plate(QPointF(), size);
+    plate.moveCenter(center);
+    plate.moveLeft(std::clamp(plate.left(), area.left() + 4.0,
+                              std::max(area.left() + 4.0, area.right() - plate.width() - 4.0)));
+    return plate;
 }
 
 /// Text on a dark rounded plate.
@@ -48,14 +73,10 @@ void drawPlate(QPainter& painter, const QRectF& plate, const QString& text)
     painter.drawText(plate, Qt::AlignCenter | Qt::TextWordWrap, text);
 }
 
-/// Around `center`, kept inside `area`.
 void drawPlate(QPainter& painter, const QRectF& area, const QPointF& center, const QString& text)
 {
-    QRectF plate(QPointF(), plateSize(painter, area, text));
-    plate.moveCenter(center);
-    plate.moveLeft(std::clamp(plate.left(), area.left() + 4.0,
-                              std::max(area.left() + 4.0, area.right() - plate.width() - 4.0)));
-    drawPlate(painter, plate, text);
+    const QSizeF size = plateSize(painter.font(), widestIn(area), text);
+    drawPlate(painter, plateAround(area, center, size), text);
 }
 
 } // namespace
@@ -181,8 +202,7 @@ void ViewportOverlay::paintCandidates(QPainter& painter) const
 
 void ViewportOverlay::paintPlaces(QPainter& painter) const
 {
-    QFont small = font();
-    small.setPointSizeF(small.pointSizeF() * 0.9);
+    const QFont small = resized(font(), 0.9);
     painter.setFont(small);
     std::vector<const PlaceLabel*> named;
     std::vector<LabelWish> wishes;
@@ -193,10 +213,16 @@ void ViewportOverlay::paintPlaces(QPainter& painter) const
         painter.drawEllipse(place.at, radius, radius);
         if (!place.text.isEmpty()) {
             named.push_back(&place);
-            wishes.push_back({place.at, plateSize(painter, rect(), place.text), place.isSelected});
+            wishes.push_back(
+                {place.at, plateSize(small, widestIn(rect()), place.text), place.isSelected});
         }
     }
-    const std::vector<std::optional<QRectF>> plates = layOutLabels(wishes, rect());
+    std::vector<QRectF> taken;
+    if (!m_picture.label.isEmpty()) {
+        taken.push_back(labelPlate());
+    }
+    const std::vector<std::optional<QRectF>> plates =
+        layOutLabels(wishes, rect(), std::move(taken));
     for (std::size_t i = 0; i < named.size(); ++i) {
         if (plates[i]) {
             drawPlate(painter, *plates[i], named[i]->text);
@@ -244,19 +270,26 @@ void ViewportOverlay::paintAreas(QPainter& painter) const
     }
 }
 
+/// Clear of the brush's outline; below it where there is no room above. Long ones in several lines,
+/// so that they stay at the cursor.
+QRectF ViewportOverlay::labelPlate() const
+{
+    const double away = (m_picture.circle ? m_picture.circle->radius : 6.0) + 6.0;
+    const double widest = std::min(kLabelWidth, widestIn(rect()));
+    const QSizeF size = plateSize(resized(font(), kLabelSize), widest, m_picture.label);
+    const QPointF shift(0.0, away + 0.5 * size.height());
+    const QPointF above = m_picture.symbolAt - shift;
+    const QPointF below = m_picture.symbolAt + shift + QPointF(0.0, kSymbolSize);
+    return plateAround(rect(), above.y() < 0.5 * size.height() ? below : above, size);
+}
+
 void ViewportOverlay::paintLabel(QPainter& painter) const
 {
     if (m_picture.label.isEmpty()) {
         return;
     }
-    // Clear of the brush's outline; below it where there is no room above.
-    QFont small = painter.font();
-    small.setPointSizeF(small.pointSizeF() * 0.92);
-    painter.setFont(small);
-    const double away = (m_picture.circle ? m_picture.circle->radius : 6.0) + 20.0;
-    const QPointF above = m_picture.symbolAt - QPointF(0.0, away);
-    const QPointF below = m_picture.symbolAt + QPointF(0.0, away + kSymbolSize);
-    drawPlate(painter, rect(), above.y() < 20.0 ? below : above, m_picture.label);
+    painter.setFont(resized(font(), kLabelSize));
+    drawPlate(painter, labelPlate(), m_picture.label);
     painter.setFont(font());
 }
 
@@ -264,9 +297,7 @@ void ViewportOverlay::paintTexts(QPainter& painter) const
 {
     const QRectF area = rect();
     if (!m_text.help.isEmpty()) {
-        QFont large = font();
-        large.setPointSizeF(large.pointSizeF() * 1.2);
-        painter.setFont(large);
+        painter.setFont(resized(font(), 1.2));
         drawPlate(painter, area, area.center(), m_text.help);
         painter.setFont(font());
     }

@@ -45,6 +45,7 @@ private:
     void paintLegend(QPainter& painter) const;
     void paintCandidates(QPainter& painter) const;
     void paintAreas(QPainter& painter) const;
+    [[nodiscard]] QRectF labelPlate() const;
     void paintLabel(QPainter& painter) const;
     void paintTexts(QPainter& painter) const;
 
