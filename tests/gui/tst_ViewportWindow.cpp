@@ -295,6 +295,19 @@ void TestViewportWindow::spacePlaysOverThePictureWhateverListHasTheFocus()
     names->show();
     names->setFocus();
     names->setCurrentItem(item);
+    // Space plays from there, too, unless it ticks what is chosen.
+    QTest::keyClick(names, Qt::Key_Space);
+    QVERIFY(!transport.isPlaying());
+    item->setCheckState(0, Qt::Unchecked);
+    item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+    item->setSelected(false);
+    QTest::keyClick(names, Qt::Key_Space);
+    QVERIFY(transport.isPlaying());
+    QCOMPARE(item->checkState(0), Qt::Unchecked);
+    item->setSelected(true);
+    QTest::keyClick(names, Qt::Key_Space);
+    QVERIFY(transport.isPlaying());
+    QCOMPARE(item->checkState(0), Qt::Checked);
     QEnterEvent enter(kCenter, kCenter, studio.view->mapToGlobal(kCenter));
     QApplication::sendEvent(studio.view, &enter);
     QVERIFY(studio.view->hasFocus());

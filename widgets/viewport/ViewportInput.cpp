@@ -12,6 +12,7 @@
 #include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QDialog>
 
 #include "widgets/tools/ToolKeys.h"
 
@@ -110,7 +111,8 @@ bool ViewportInput::eventFilter(QObject* watched, QEvent* event)
     }
     const bool isKey =
         event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
-    return isKey && takeFromList(*watched, *static_cast<QKeyEvent*>(event));
+    return isKey && (takeFromList(*watched, *static_cast<QKeyEvent*>(event)) ||
+                     playFromPanel(*watched, *static_cast<QKeyEvent*>(event)));
 }
 
 bool ViewportInput::takeEvent(QEvent& event)
@@ -237,6 +239,28 @@ bool ViewportInput::pressKey(const QKeyEvent& event)
 {
     const bool isClaimed = m_tools.claimsKey(event.key(), event.modifiers());
     return m_tools.keyDown(keyOf(event)) || isClaimed;
+}
+
+/// Who has last clicked in a panel, beside a list of it or on a cue, plays with Space all the same;
+/// only what is chosen and can be ticked by it stays the list's.
+bool ViewportInput::playFromPanel(const QObject& watched, const QKeyEvent& event)
+{
+    const auto* list = qobject_cast<const QAbstractItemView*>(&watched);
+    const bool isSpace = event.key() == Qt::Key_Space && event.modifiers() == Qt::NoModifier;
+    if (!isSpace || list == nullptr || !list->hasFocus() ||
+        qobject_cast<QDialog*>(list->window()) != nullptr ||
+        QApplication::activePopupWidget() != nullptr) {
+        return false;
+    }
+    const QModelIndex chosen = list->currentIndex();
+    const bool isTicked = chosen.data(Qt::CheckStateRole).isValid();
+    if (isTicked && list->selectionModel()->isSelected(chosen)) {
+        return false;
+    }
+    if (event.type() == QEvent::KeyPress && !event.isAutoRepeat()) {
+        m_tools.togglePlaying();
+    }
+    return event.type() == QEvent::KeyPress;
 }
 
 /// Keys that mean something to a list with the focus are the brush's while the pointer is over the

@@ -49,6 +49,7 @@ private:
     bool claimKey(QKeyEvent& event);
     bool pressKey(const QKeyEvent& event);
     bool takeFromList(const QObject& watched, QKeyEvent& event);
+    bool playFromPanel(const QObject& watched, const QKeyEvent& event);
     void takeKeys();
     void keepPointerInside(const ToolInput& input);
     [[nodiscard]] ToolInput inputOf(const QSinglePointEvent& event, double pressure);
