@@ -196,9 +196,14 @@ glm::vec3 pointIn(const ActionScope& scope, const model::Place& place)
 
 ActionStatus travel(const ActionScope& scope, const PlaceWish& wish)
 {
-    const ActionProgress& progress = scope.progress();
+    ActionProgress& progress = scope.progress();
     if (scope.host.isGone(scope.agent)) {
         return ActionStatus::Done;
+    }
+    const model::PlaceId goal = scope.self().errand.goal;
+    if (progress.isTravelling && goal != 0 && scope.state.places.find(goal) == nullptr) {
+        progress = {}; // somebody has taken it away: to another one, if there is any
+        scope.host.stop(scope.agent);
     }
     if (progress.isTravelling) {
         if (hasErrandEnded(scope, scope.agent)) {

@@ -16,8 +16,9 @@ struct Names
     Q_DECLARE_TR_FUNCTIONS(RuleSets)
 };
 
-constexpr float kOverAnAisle = 2.8F; ///< metres from a seat to the next one beyond it
-constexpr float kNoEcho = 6.5F;      ///< seconds after which nobody near passes a call on any more
+constexpr float kOverAnAisle = 2.8F;  ///< metres from a seat to the next one beyond it
+constexpr float kCalmSeconds = 20.0F; ///< before who has fled can panic again
+constexpr float kNoEcho = 6.5F;       ///< seconds after which nobody near passes a call on any more
 
 std::string named(const QString& text)
 {
@@ -191,7 +192,7 @@ std::vector<Rule> panic()
     Rule rule = onEvent("panic", Names::tr("Flee, tell others, leave"));
     rule.actions = {passOn("panic", 3.0F, 0.15F), setSpeed(3.0F), flee(8.0F),
                     leave(PlaceChoice::Nearest)};
-    rule.limit = 1;
+    rule.cooldownSeconds = kCalmSeconds;
     return {rule};
 }
 

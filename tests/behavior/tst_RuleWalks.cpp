@@ -76,6 +76,7 @@ private Q_SLOTS:
     void whoHasNowhereToLeaveAtStays_data();
     void whoHasNowhereToLeaveAtStays();
     void exitsAreTakenByNoMoreThanHaveRoom();
+    void whoseExitIsTakenAwayTakesAnotherOne();
     void theNearestExitIsThatWithTheShortestWay();
     void whoWasStoppedByAWallGoesWhereHeIsSentNext();
     void whoRunsToAnExitGetsOut();
@@ -225,6 +226,33 @@ void TestRuleWalks::exitsAreTakenByNoMoreThanHaveRoom()
     run(session, 900);
     for (std::size_t row = 0; row < 4; ++row) {
         QVERIFY(isGone(session, row));
+    }
+}
+
+/// On the way to it; without any other he stays.
+void TestRuleWalks::whoseExitIsTakenAwayTakesAnotherOne()
+{
+    for (const bool isAnotherThere : {true, false}) {
+        model::Scene scene = rowOf(1);
+        scene.places = {{1, "near", {0.0F, 0.0F, 9.0F}, 0.3F},
+                        {2, "far", {0.0F, 0.0F, 20.0F}, 0.3F}};
+        for (model::Place& place : scene.places) {
+            place.role = PlaceRole::Exit;
+        }
+        scene.rules = {onEvent("home", {leaveAt(PlaceChoice::Nearest), tagWith(1)})};
+        Session session(scene);
+        session.send("home", 0.0F, {1});
+        run(session, 120);
+        QVERIFY(placeOf(session, 0).z > 0.5F);
+        scene.places.erase(scene.places.begin());
+        if (!isAnotherThere) {
+            scene.places.clear();
+        }
+        session.adopt(scene);
+        run(session, 1500);
+        QCOMPARE(isGone(session, 0), isAnotherThere);
+        QVERIFY(hasTag(session, 0, 1)); // on with the next
+        QCOMPARE(session.problems().size(), std::size_t{isAnotherThere ? 0U : 1U});
     }
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
-
 #include "behavior/motion/StrideKernel.h"
 #include "behavior/rules/Errands.h"
 #include "behavior/rules/actions/ActionScope.h"
@@ -18,20 +16,20 @@ inline ActionStatus run(const ActionScope& scope, const model::actions::LeaveSce
     if (!isHere && travel(scope, wish) == ActionStatus::Running) {
         return ActionStatus::Running;
     }
+    const model::Place* goal = scope.state.places.find(scope.self().errand.goal);
     const float speed = scope.host.speed(scope.agent);
     if (isHere || scope.host.isGone(scope.agent) || isAtGoal(scope, 0.0F)) {
         holdPlace(scope.state, scope.agent, 0);
         scope.host.leave(scope.agent);
-    } else if (isAtGoal(scope, speed * speed / (2.0F * kUsualBraking))) {
+    } else if (goal != nullptr && isAtGoal(scope, speed * speed / (2.0F * kUsualBraking))) {
         // Who runs begins to come to rest before he is there: on, up to its middle.
-        sendTo(scope, scope.state.places.find(scope.self().errand.goal)->position, 0.0F);
+        sendTo(scope, goal->position, 0.0F);
         return ActionStatus::Running;
-    } else if (scope.progress().isTravelling) {
-        const std::string& name = scope.state.places.find(scope.self().errand.goal)->name;
+    } else if (goal != nullptr && scope.progress().isTravelling) {
         scope.report(QT_TRANSLATE_NOOP("Messages",
                                        "Rule \"%1\" lets characters leave at \"%2\", but some do "
                                        "not get there: they stay. Move it, or choose another one."),
-                     name);
+                     goal->name);
     }
     return ActionStatus::Done;
 }
