@@ -49,7 +49,7 @@ void TestRuleLog::whatFiresOnceIsALine()
     log.add({1.25, 1, 7});
     QCOMPARE(linesOf(log), QStringList{QStringLiteral("1.25 s · character 7 · ping")});
     log.add({1.5, 9, 7}); // deleted meanwhile
-    QCOMPARE(linesOf(log).last(), QStringLiteral("1.50 s · character 7 · a rule"));
+    QCOMPARE(linesOf(log).last(), QStringLiteral("1.50 s · character 7 · a deleted rule"));
     log.clear();
     QVERIFY(linesOf(log).isEmpty());
 }
@@ -84,7 +84,7 @@ void TestRuleLog::aCircleOfRulesHidesNothing()
     QCOMPARE(linesOf(log),
              (QStringList{QStringLiteral("0.00–5.50 s · 30 characters · ping · 12 times each"),
                           QStringLiteral("0.25–5.75 s · 30 characters · pong · 12 times each"),
-                          QStringLiteral("2.50 s · character 4 · a rule")}));
+                          QStringLiteral("2.50 s · character 4 · a deleted rule")}));
 }
 
 void TestRuleLog::theLogOfOnePersonIsExact()

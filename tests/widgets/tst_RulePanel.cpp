@@ -10,6 +10,7 @@
 #include "tests/widgets/Desk.h"
 #include "widgets/docks/RulesDock.h"
 #include "widgets/rules/CueForm.h"
+#include "widgets/rules/RuleEditor.h"
 #include "widgets/rules/RuleProblems.h"
 #include "widgets/rules/RuleTexts.h"
 
@@ -92,7 +93,67 @@ private Q_SLOTS:
     void sentencesTellWhatRepeatsAndWhatIsDrawn();
     void blocksSayWhatIsMissing();
     void theFieldKeepsTheKeyboard();
+    void whatIsAddedIsInSight_data();
+    void whatIsAddedIsInSight();
+    void longNamesOfCuesStandAlone();
 };
+
+void TestRulePanel::whatIsAddedIsInSight_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("along the bottom") << QSize(1200, 320);
+    QTest::newRow("at the side") << QSize(300, 400);
+}
+
+/// Though the button that adds it stands at the other end of a long rule; list and cues stay where
+/// they are while there is room beside it.
+void TestRulePanel::whatIsAddedIsInSight()
+{
+    QFETCH(QSize, size);
+    RulesDesk desk;
+    desk.window.resize(size);
+    QVERIFY(desk.isReady());
+    desk.window.resizeDocks({desk.dock}, {size.width()}, Qt::Horizontal);
+    giveRule(desk, ruleOf(std::vector<model::Action>(14, actions::Wait{1.0F})));
+    auto* list = desk.dock->findChild<QListWidget*>();
+    const auto isInSight = [&desk](const QWidget* widget) {
+        return widget != nullptr && widget->visibleRegion().boundingRect() == widget->rect();
+    };
+    QTRY_VERIFY(shown<QToolButton>(desk, "addCondition") != nullptr);
+    const auto place = [&desk, list] { return list->mapTo(&desk.window, QPoint(0, 0)); };
+    const QPoint before = place();
+    const QList<QMenu*> menus = shown<QToolButton>(desk, "addCondition")->findChildren<QMenu*>();
+    menus.front()->actions().front()->trigger();
+    QTRY_COMPARE(desk.document.scene().rules[0].conditions.size(), std::size_t{1});
+    const auto* editor = desk.dock->findChild<RuleEditor*>();
+    QTRY_VERIFY((editor = desk.dock->findChild<RuleEditor*>()) != nullptr &&
+                editor->lastCondition() != nullptr && isInSight(editor->lastCondition()));
+    QTRY_VERIFY(editor->lastCondition()->hasFocus());
+    if (size.width() > size.height()) {
+        QCOMPARE(place(), before);
+    }
+}
+
+/// Else they would run under the arrow beside them.
+void TestRulePanel::longNamesOfCuesStandAlone()
+{
+    RulesDesk desk;
+    QVERIFY(desk.isReady());
+    auto edit = desk.document.beginEdit().value();
+    edit->setCues(
+        {{1, "Bored", "a", 0.0F, "F3"}, {2, "Disappointed by the end of it", "b", 0.0F, "F4"}});
+    edit->commit(QStringLiteral("Cues"));
+    const auto areWhole = [&desk](bool areBeside) {
+        const auto* first = shown<QToolButton>(desk, "cue1");
+        const auto* second = shown<QToolButton>(desk, "cue2");
+        return first != nullptr && second != nullptr && (first->y() == second->y()) == areBeside &&
+               (areBeside || second->width() >= second->sizeHint().width());
+    };
+    QTRY_VERIFY(areWhole(false));
+    desk.window.resize(620, 700);
+    desk.window.resizeDocks({desk.dock}, {620}, Qt::Horizontal);
+    QTRY_VERIFY(areWhole(true));
+}
 
 void TestRulePanel::aCueIsChangedInPlace()
 {

@@ -2,9 +2,11 @@
 #include "widgets/docks/RulesDock.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QtCore/QLocale>
 #include <QtCore/QScopeGuard>
+#include <QtCore/QTimer>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QLabel>
@@ -85,8 +87,14 @@ void RulesDock::buildContent()
         m_editorArea = new QWidget(content);
         auto* area = new QVBoxLayout(m_editorArea);
         area->setContentsMargins(0, 0, 0, 0);
+        area->addStretch(1);
+        m_editorScroll = new QScrollArea(content);
+        m_editorScroll->setFrameShape(QFrame::NoFrame);
+        m_editorScroll->setWidgetResizable(true);
+        m_editorScroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        m_editorScroll->hide();
+        chosen.addWidget(m_editorScroll, 1);
         chosen.addWidget(m_editorArea);
-        chosen.addStretch(1);
     });
     addColumn([this, content](QVBoxLayout& fired) { addLog(fired, content); });
     setScrolledContent(content);
@@ -113,9 +121,26 @@ void RulesDock::addLog(QVBoxLayout& layout, QWidget* content)
     layout.addWidget(new NamesForm(m_state, content));
 }
 
+/// Beside other columns, so that list, cues and log stay in sight.
+void RulesDock::scrollEditorAlone(bool isAlone)
+{
+    if (isAlone == (m_editorScroll->widget() != nullptr)) {
+        return;
+    }
+    if (isAlone) {
+        m_editorScroll->setWidget(m_editorArea);
+    } else {
+        auto* column = static_cast<QVBoxLayout*>(m_columns->itemAt(1)->layout());
+        column->insertWidget(1, m_editorScroll->takeWidget());
+    }
+    m_editorArea->show();
+    m_editorScroll->setVisible(isAlone);
+}
+
 void RulesDock::arrangeColumns()
 {
     const bool isWide = width() >= kWideFrom;
+    scrollEditorAlone(isWide);
     // Cues that take several lines leave a low panel's list no room.
     auto* first = static_cast<QVBoxLayout*>(m_columns->itemAt(0)->layout());
     auto* last = static_cast<QVBoxLayout*>(m_columns->itemAt(m_columns->count() - 1)->layout());
@@ -167,6 +192,7 @@ void RulesDock::connectTimers()
     connect(&m_rebuild, &QTimer::timeout, this, [this] {
         rebuildList();
         rebuildEditor();
+        showLog(); // by the names of now
     });
     m_counting.setInterval(kCountMs);
     connect(&m_counting, &QTimer::timeout, this, &RulesDock::refreshCounts);
@@ -398,7 +424,7 @@ void RulesDock::rebuildEditor()
 {
     const qsizetype focused = focusedField();
     // What is below the editor stays where it is while there is none for a moment.
-    m_editorArea->setMinimumHeight(m_editor != nullptr ? m_editorArea->height() : 0);
+    m_editorArea->setMinimumHeight(m_editor != nullptr ? m_editor->height() : 0);
     const auto letGo = qScopeGuard([this] {
         QMetaObject::invokeMethod(
             this, [this] { m_editorArea->setMinimumHeight(0); }, Qt::QueuedConnection);
@@ -419,12 +445,38 @@ void RulesDock::rebuildEditor()
         }
     };
     m_editor = new RuleEditor(m_state.scene(), shown, change, m_editorArea);
-    m_editorArea->layout()->addWidget(m_editor);
+    static_cast<QVBoxLayout*>(m_editorArea->layout())->insertWidget(0, m_editor);
     const QList<QWidget*> fields = m_editor->findChildren<QWidget*>();
     if (focused >= 0 && focused < fields.size()) {
         fields[focused]->setFocus(Qt::TabFocusReason); // where the artist has gone on to
     }
     m_isFilling = false;
+    showAdded(shown);
+}
+
+/// What was just added stands further up than the button that adds it.
+void RulesDock::showAdded(const Rule& rule)
+{
+    const Rule before = std::exchange(m_edited, rule);
+    QWidget* added = nullptr;
+    if (before.id == rule.id && rule.conditions.size() > before.conditions.size()) {
+        added = m_editor->lastCondition();
+    } else if (before.id == rule.id && rule.actions.size() > before.actions.size()) {
+        added = m_editor->lastAction();
+    }
+    if (added == nullptr) {
+        return;
+    }
+    // Once all have their places.
+    QTimer::singleShot(0, added, [this, added] {
+        for (QWidget* each = added->parentWidget(); each != nullptr && each != this;
+             each = each->parentWidget()) {
+            if (auto* area = qobject_cast<QScrollArea*>(each)) {
+                area->ensureWidgetVisible(added);
+            }
+        }
+        added->setFocus(Qt::OtherFocusReason);
+    });
 }
 
 } // namespace crowd::widgets

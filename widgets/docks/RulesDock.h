@@ -15,11 +15,13 @@ class QCheckBox;
 class QLabel;
 class QListWidget;
 class QPlainTextEdit;
+class QScrollArea;
 class QVBoxLayout;
 
 namespace crowd::widgets {
 
 class CueBar;
+class RuleEditor;
 
 /// The rules of the scene as sentences, the first ones the most important; the chosen one is built
 /// from menus below. Counts how often each fires while it plays and keeps a log. Every change is
@@ -41,6 +43,8 @@ private:
     void addColumn(const std::function<void(QVBoxLayout&)>& fill);
     void addLog(QVBoxLayout& layout, QWidget* content);
     void arrangeColumns();
+    void scrollEditorAlone(bool isAlone);
+    void showAdded(const model::Rule& rule);
     void setUpList();
     void addNotes(QVBoxLayout& layout);
     void connectTimers();
@@ -69,8 +73,10 @@ private:
     CueBar* m_cues = nullptr;
     RuleCommands* m_commands;
     QLabel* m_note;
+    QScrollArea* m_editorScroll;
     QWidget* m_editorArea;
-    QWidget* m_editor = nullptr;
+    RuleEditor* m_editor = nullptr;
+    model::Rule m_edited; ///< as the editor showed it last
     QLabel* m_problem;
     QCheckBox* m_onlySelected;
     QPlainTextEdit* m_log;

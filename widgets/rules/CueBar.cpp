@@ -21,7 +21,7 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr int kCuesInARow = 2; // so that their names fit beside each other
+constexpr int kMostInARow = 2;
 
 QString cueTip(const model::Scene& scene, const model::Cue& cue)
 {
@@ -71,10 +71,9 @@ void CueBar::rebuild()
         }
         delete item;
     }
-    int index = 0;
+    m_buttons.clear();
     for (const model::Cue& cue : m_state.scene().cues) {
-        m_grid->addWidget(buttonOf(cue), index / kCuesInARow, index % kCuesInARow);
-        ++index;
+        m_buttons.push_back(buttonOf(cue));
     }
     auto* add = new QToolButton(this);
     add->setObjectName(QStringLiteral("addCue"));
@@ -83,11 +82,41 @@ void CueBar::rebuild()
         tr("A button, with a key if you like, that lets an event happen to characters"));
     add->setAutoRaise(true);
     connect(add, &QToolButton::clicked, this, &CueBar::addCue);
-    m_grid->addWidget(add, index / kCuesInARow, index % kCuesInARow, Qt::AlignLeft);
-    for (int column = 0; column < kCuesInARow; ++column) {
-        m_grid->setColumnStretch(column, 1); // one alone is no wider than one of several
-    }
+    m_add = add;
+    m_inARow = 0;
+    arrange();
     showForm();
+}
+
+/// As many in a row as their names have room beside each other.
+void CueBar::arrange()
+{
+    int widest = 0;
+    for (const QWidget* button : m_buttons) {
+        widest = std::max(widest, button->sizeHint().width());
+    }
+    const int room = (width() - m_grid->spacing() * (kMostInARow - 1)) / kMostInARow;
+    const int inARow = widest <= room ? kMostInARow : 1;
+    if (inARow == m_inARow) {
+        return;
+    }
+    m_inARow = inARow;
+    int index = 0;
+    for (QWidget* button : m_buttons) {
+        m_grid->addWidget(button, index / inARow, index % inARow); // taken from where it was
+        ++index;
+    }
+    m_grid->addWidget(m_add, index / inARow, index % inARow, Qt::AlignLeft);
+    for (int column = 0; column < kMostInARow; ++column) {
+        // One alone is no wider than one of several.
+        m_grid->setColumnStretch(column, column < inARow ? 1 : 0);
+    }
+}
+
+void CueBar::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
 }
 
 QWidget* CueBar::buttonOf(const model::Cue& cue)

@@ -22,8 +22,12 @@ class CueBar : public QWidget
 public:
     CueBar(EditorState& state, QWidget* parent);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void rebuild();
+    void arrange();
     void addCue();
     void editCue(model::CueId id);
     void removeCue(model::CueId id);
@@ -37,7 +41,10 @@ private:
     model::CueId m_edited = 0; ///< whose form is open
     // Children of this widget.
     QGridLayout* m_grid;
+    std::vector<QWidget*> m_buttons; ///< of the cues
+    QWidget* m_add = nullptr;
     QWidget* m_form = nullptr;
+    int m_inARow = 0;
 };
 
 } // namespace crowd::widgets

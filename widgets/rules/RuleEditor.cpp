@@ -207,6 +207,7 @@ void RuleEditor::addCondition(QVBoxLayout* layout, std::size_t index)
                            each.conditions[index].change(static_cast<std::size_t>(kind));
                        });
                    });
+    m_lastCondition = row->itemAt(row->count() - 1)->widget();
     PartRows rows = rowsFor<Condition>(
         layout, [index](Rule& each) -> Condition& { return each.conditions[index]; });
     std::span<const model::FieldInfo> fields = condition.kind().fields;
@@ -252,6 +253,7 @@ void RuleEditor::addAction(QVBoxLayout* layout, std::size_t index)
                             model::settleDepths(each.actions); // nothing may belong to it now
                         });
                     });
+    m_lastAction = row->itemAt(row->count() - 1)->widget();
     if (m_rule.actions.size() > 1) {
         addMoveButtons(*row, *this, m_rule.actions, index, m_apply);
     }

@@ -25,6 +25,10 @@ public:
     RuleEditor(const model::Scene& scene, const model::Rule& rule,
                std::function<void(const Change&)> apply, QWidget* parent);
 
+    /// Fields of the last one of its kind, which is what was added last; null: there is none.
+    [[nodiscard]] QWidget* lastCondition() const { return m_lastCondition; }
+    [[nodiscard]] QWidget* lastAction() const { return m_lastAction; }
+
 private:
     /// As far in as the line that is being built.
     QHBoxLayout* rowIn(QVBoxLayout* layout) const;
@@ -54,6 +58,8 @@ private:
     const model::Rule m_rule;
     std::function<void(const Change&)> m_apply;
     int m_depth = 0; ///< of the line that is being built
+    QWidget* m_lastCondition = nullptr;
+    QWidget* m_lastAction = nullptr;
 };
 
 } // namespace crowd::widgets

@@ -135,7 +135,7 @@ QStringList RuleLog::lines(const model::Scene& scene,
         }
         if (!sum.people.empty()) {
             const auto rule = std::ranges::find(scene.rules, burst.rule, &model::Rule::id);
-            lines << lineText(sum, rule == scene.rules.end() ? RuleLogText::tr("a rule")
+            lines << lineText(sum, rule == scene.rules.end() ? RuleLogText::tr("a deleted rule")
                                                              : QString::fromStdString(rule->name));
         }
     }
