@@ -71,28 +71,48 @@ struct ImpostorLayout
     float depth = 0.0F;
 
     [[nodiscard]] bool isEmpty() const { return texels.x == 0; }
+    [[nodiscard]] std::size_t cardCount() const
+    {
+        return static_cast<std::size_t>(phases) * kImpostorAzimuths;
+    }
+    /// Of whole cards; those of a set are fewer.
     [[nodiscard]] std::size_t texelCount() const
     {
-        return static_cast<std::size_t>(phases) * kImpostorAzimuths *
-               static_cast<std::size_t>(layers) * static_cast<std::size_t>(texels.x) *
+        return cardCount() * static_cast<std::size_t>(layers) * static_cast<std::size_t>(texels.x) *
                static_cast<std::size_t>(texels.y);
     }
+    [[nodiscard]] std::size_t mostBytes() const; ///< ImpostorSet::bytes() is never more
     /// Which phase is nearest to a keyframe and the share of the way to the next one.
     [[nodiscard]] int phaseOf(float keyframe, bool isLoop) const;
 };
+
+/// Where on a card something is, all layers together: only that is kept.
+struct ImpostorCard
+{
+    glm::u8vec4 shown{0};    ///< texels from (x, y) up to before (z, w)
+    std::uint32_t first = 0; ///< texel of the set: layer by layer, rows of what is shown from below
+    /// The plane nearest to what it shows, which hides and is hidden in its stead: metres towards
+    /// the eye in the middle of the card, and per metre right and up from there.
+    glm::vec3 plane{0.0F};
+};
+
+inline std::size_t ImpostorLayout::mostBytes() const
+{
+    return texelCount() * sizeof(ImpostorTexel) + cardCount() * sizeof(ImpostorCard);
+}
 
 /// All cards of a clip in a band.
 struct ImpostorSet
 {
     int band = 0;
     ImpostorLayout layout;
-    /// Phase by phase, azimuth by azimuth, layer by layer; rows of a card from below.
-    std::vector<ImpostorTexel> texels;
-    /// What of each card shows something, all layers together: texels from (x, y) up to before
-    /// (z, w). Phase by phase, azimuth by azimuth.
-    std::vector<glm::u8vec4> shown;
+    std::vector<ImpostorTexel> texels; ///< of what cards show, card by card
+    std::vector<ImpostorCard> cards;   ///< phase by phase, azimuth by azimuth
 
-    [[nodiscard]] std::size_t bytes() const { return texels.size() * sizeof(ImpostorTexel); }
+    [[nodiscard]] std::size_t bytes() const
+    {
+        return texels.size() * sizeof(ImpostorTexel) + cards.size() * sizeof(ImpostorCard);
+    }
 };
 
 /// What is seen through or cut out by its picture, and more slots than fit, have none.

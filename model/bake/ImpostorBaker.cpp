@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <glm/matrix.hpp>
 
 #include "model/bake/Impostor.h"
 #include "model/bake/ImpostorRaster.h"
@@ -15,9 +16,9 @@ namespace crowd::model {
 
 namespace {
 
-constexpr float kTexelsPerHeight = 28.0F; ///< of what is shown of the template
+constexpr float kTexelsPerHeight = 34.0F; ///< of what is shown of the template
 constexpr int kMostTexels = 4096;         ///< of a card
-constexpr float kMostAlongASide = 255.0F; ///< so that ImpostorSet::shown holds it
+constexpr float kMostAlongASide = 255.0F; ///< so that ImpostorCard::shown holds it
 constexpr std::size_t kLookedAt = 20000;  ///< vertices, over all keyframes
 constexpr float kMostMoved = 1.5F; ///< texels between two phases, nine tenths of the vertices
 constexpr int kMostKeyframesPerPhase = 8;
@@ -81,20 +82,81 @@ struct Range
     }
 };
 
-/// Of the layers of a card.
-glm::u8vec4 shownOf(std::span<const ImpostorTexel> card, glm::ivec2 size)
+/// Sums of points of a card by which the plane nearest to them is found: least squares, in metres
+/// right, up and towards the eye.
+class PlaneFit
 {
+public:
+    void add(const glm::dvec2& at, double towards)
+    {
+        const glm::dvec3 point(1.0, at.x, at.y);
+        m_points += glm::outerProduct(point, point);
+        m_towards += point * towards;
+    }
+
+    /// Towards the eye at (0, 0), and per metre right and up. Upright where a card is too narrow to
+    /// tell.
+    [[nodiscard]] glm::vec3 plane() const
+    {
+        constexpr double kSteepest = 2.0;
+        if (!(m_points[0][0] > 0.0)) {
+            return glm::vec3(0.0F);
+        }
+        const double mean = m_towards[0] / m_points[0][0];
+        const double spread = glm::determinant(m_points / m_points[0][0]);
+        const glm::dvec3 found =
+            spread > 1e-9 ? glm::inverse(m_points) * m_towards : glm::dvec3(mean, 0.0, 0.0);
+        const glm::dvec2 slopes = glm::clamp(glm::dvec2(found.y, found.z), -kSteepest, kSteepest);
+        // Through the middle of the points, whatever has become of the slopes.
+        const glm::dvec2 middle = glm::dvec2(m_points[0][1], m_points[0][2]) / m_points[0][0];
+        return {mean - glm::dot(slopes, middle), slopes};
+    }
+
+private:
+    glm::dmat3 m_points{0.0};
+    glm::dvec3 m_towards{0.0};
+};
+
+/// Of the layers of a card.
+ImpostorCard cardOf(std::span<const ImpostorTexel> texels, const ImpostorLayout& layout)
+{
+    const glm::ivec2 size = layout.texels;
     glm::ivec2 low = size;
     glm::ivec2 high(0);
-    for (std::size_t i = 0; i < card.size(); ++i) {
-        if ((card[i].kind >> 8U & ImpostorTexel::kNoSlot) != ImpostorTexel::kNoSlot) {
-            const int at = static_cast<int>(i) % (size.x * size.y);
-            const glm::ivec2 place(at % size.x, at / size.x);
-            low = glm::min(low, place);
-            high = glm::max(high, place + 1);
+    PlaneFit fit;
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        if ((texels[i].kind >> 8U & ImpostorTexel::kNoSlot) == ImpostorTexel::kNoSlot) {
+            continue;
+        }
+        const int at = static_cast<int>(i) % (size.x * size.y);
+        const glm::ivec2 place(at % size.x, at / size.x);
+        low = glm::min(low, place);
+        high = glm::max(high, place + 1);
+        const glm::vec2 share = (glm::vec2(place) + kHalf) / glm::vec2(size);
+        const float depth = static_cast<float>(texels[i].kind & 0xFFU) / 255.0F;
+        fit.add(layout.low + share * layout.size, layout.nearest - depth * layout.depth);
+    }
+    ImpostorCard card;
+    card.shown = high.x > 0 ? glm::u8vec4(low.x, low.y, high.x, high.y) : glm::u8vec4(0);
+    card.plane = fit.plane();
+    return card;
+}
+
+/// Adds a card, of the texels of its layers what it shows.
+void add(ImpostorSet& set, std::span<const ImpostorTexel> texels)
+{
+    ImpostorCard card = cardOf(texels, set.layout);
+    card.first = static_cast<std::uint32_t>(set.texels.size());
+    const glm::ivec2 size = set.layout.texels;
+    const auto width = static_cast<std::size_t>(card.shown.z - card.shown.x);
+    for (int layer = 0; layer < set.layout.layers; ++layer) {
+        for (int y = card.shown.y; y < card.shown.w; ++y) {
+            const int begin = (layer * size.y + y) * size.x + card.shown.x;
+            const auto row = texels.subspan(static_cast<std::size_t>(begin), width);
+            set.texels.insert(set.texels.end(), row.begin(), row.end());
         }
     }
-    return high.x > 0 ? glm::u8vec4(low.x, low.y, high.x, high.y) : glm::u8vec4(0);
+    set.cards.push_back(card);
 }
 
 bool isWrapped(const Template& asset)
@@ -198,22 +260,20 @@ ImpostorSetPtr bakeImpostors(const Template& asset, int clipIndex, const BakedCl
     if (set->layout.isEmpty()) {
         return set;
     }
-    set->texels.resize(set->layout.texelCount());
     ImpostorRaster raster(asset, clip, set->layout);
-    const std::size_t perCard =
-        set->texels.size() / static_cast<std::size_t>(set->layout.phases * kImpostorAzimuths);
-    std::span<ImpostorTexel> rest(set->texels);
+    std::vector<ImpostorTexel> card(set->layout.texelCount() / set->layout.cardCount());
+    set->cards.reserve(set->layout.cardCount());
     for (int phase = 0; phase < set->layout.phases; ++phase) {
         raster.take(std::min(phase * set->layout.keyframesPerPhase, clip.keyframes - 1));
         for (int azimuth = 0; azimuth < kImpostorAzimuths; ++azimuth) {
             if (isCancelled && isCancelled()) {
                 return nullptr;
             }
-            raster.draw(cardAxes(azimuth, band), rest.first(perCard));
-            set->shown.push_back(shownOf(rest.first(perCard), set->layout.texels));
-            rest = rest.subspan(perCard);
+            raster.draw(cardAxes(azimuth, band), card);
+            add(*set, card);
         }
     }
+    set->texels.shrink_to_fit();
     return set;
 }
 

@@ -225,6 +225,10 @@ void KeyframeStore::Private::finish(const Job& job, Made made)
         Kept& entry = found->second;
         entry.clip = std::move(made.clip);
         entry.impostors = std::move(made.impostors);
+        if (entry.impostors) { // less than whole cards, for which room was kept
+            reservedBytes -= entry.reservedBytes - entry.impostors->bytes();
+            entry.reservedBytes = entry.impostors->bytes();
+        }
         entry.isComplete = true;
         finished += entry.clip ? 1 : 0;
         ++version;
@@ -313,8 +317,7 @@ ImpostorSetPtr KeyframeStore::impostors(const TemplatePtr& asset, int clipIndex,
     if (entry == nullptr) {
         m_private->forgetExpired();
         Kept fresh{asset, nullptr, nullptr};
-        fresh.fullBytes =
-            impostorLayout(*asset, clipIndex, *clip, band).texelCount() * sizeof(ImpostorTexel);
+        fresh.fullBytes = impostorLayout(*asset, clipIndex, *clip, band).mostBytes();
         entry = &m_private->kept.emplace(key, std::move(fresh)).first->second;
     }
     m_private->ask({asset, clipIndex, band, clip}, *entry);

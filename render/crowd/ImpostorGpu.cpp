@@ -30,13 +30,38 @@ struct SetRecord
     std::uint32_t width = 0;  ///< texels
     std::uint32_t height = 0; ///< texels
     std::uint32_t layers = 1;
-    std::uint32_t first = 0; ///< texel of the set
     std::uint32_t firstCard = 0;
-    std::array<std::uint32_t, 2> unused{};
+    std::array<std::uint32_t, 3> unused{};
 };
 static_assert(sizeof(SetRecord) == 64);
 
-SetRecord recordOf(const ImpostorSet& set, std::size_t first, std::size_t firstCard)
+/// An RGBA32UI texel; as in impostor.vert.
+struct CardRecord
+{
+    glm::u8vec4 shown{0};
+    std::uint32_t first = 0; ///< texel
+    std::uint16_t deep = 0;  ///< of the plane in the card's middle, as texels say it, but finer
+    std::int16_t right = 0;  ///< its slopes: kSlope is one
+    std::int16_t up = 0;
+    std::uint16_t unused = 0;
+};
+static_assert(sizeof(CardRecord) == 16);
+
+CardRecord recordOf(const ImpostorCard& card, const ImpostorLayout& layout, std::size_t first)
+{
+    constexpr float kSlope = 8192.0F;
+    constexpr float kFinest = 65535.0F;
+    CardRecord record;
+    record.shown = card.shown;
+    record.first = static_cast<std::uint32_t>(first) + card.first;
+    const float share = std::clamp((layout.nearest - card.plane.x) / layout.depth, 0.0F, 1.0F);
+    record.deep = static_cast<std::uint16_t>(std::lround(share * kFinest));
+    record.right = static_cast<std::int16_t>(std::lround(card.plane.y * kSlope));
+    record.up = static_cast<std::int16_t>(std::lround(card.plane.z * kSlope));
+    return record;
+}
+
+SetRecord recordOf(const ImpostorSet& set, std::size_t firstCard)
 {
     const ImpostorLayout& layout = set.layout;
     const float above = kImpostorBands[static_cast<std::size_t>(set.band)].radians;
@@ -50,7 +75,6 @@ SetRecord recordOf(const ImpostorSet& set, std::size_t first, std::size_t firstC
     record.width = static_cast<std::uint32_t>(layout.texels.x);
     record.height = static_cast<std::uint32_t>(layout.texels.y);
     record.layers = static_cast<std::uint32_t>(layout.layers);
-    record.first = static_cast<std::uint32_t>(first);
     record.firstCard = static_cast<std::uint32_t>(firstCard);
     return record;
 }
@@ -112,7 +136,7 @@ float sharePerMetre(const Mesh& mesh)
 } // namespace
 
 ImpostorGpu::ImpostorGpu(const Template& asset)
-    : m_texels(GL_RG32UI), m_sets(GL_RGBA32UI), m_shown(GL_RGBA8UI)
+    : m_texels(GL_RG32UI), m_sets(GL_RGBA32UI), m_cards(GL_RGBA32UI)
 {
     if (!canHaveImpostors(asset)) {
         return;
@@ -140,16 +164,19 @@ PlanImpostors ImpostorGpu::send(const ImpostorSet& set)
     const auto bytes = std::as_bytes(std::span(set.texels));
     m_texels.reserve(m_texelCount * sizeof(ImpostorTexel) + bytes.size());
     m_texels.write(m_texelCount * sizeof(ImpostorTexel), bytes);
-    const std::array<SetRecord, 1> record{recordOf(set, m_texelCount, m_cardCount)};
+    const std::array<SetRecord, 1> record{recordOf(set, m_cardCount)};
     m_sets.reserve((m_setCount + std::size_t{1}) * sizeof(SetRecord));
     m_sets.write(m_setCount * sizeof(SetRecord), std::as_bytes(std::span(record)));
     plan.isThere = true;
     plan.set = m_setCount++;
+    std::vector<CardRecord> records(set.cards.size());
+    std::ranges::transform(set.cards, records.begin(), [&](const ImpostorCard& card) {
+        return recordOf(card, set.layout, m_texelCount);
+    });
+    m_cards.reserve((m_cardCount + records.size()) * sizeof(CardRecord));
+    m_cards.write(m_cardCount * sizeof(CardRecord), std::as_bytes(std::span(records)));
+    m_cardCount += records.size();
     m_texelCount += set.texels.size();
-    const auto shown = std::as_bytes(std::span(set.shown));
-    m_shown.reserve(m_cardCount * sizeof(glm::u8vec4) + shown.size());
-    m_shown.write(m_cardCount * sizeof(glm::u8vec4), shown);
-    m_cardCount += set.shown.size();
     return plan;
 }
 
@@ -170,11 +197,11 @@ void ImpostorGpu::take(KeyframeStore& store, const TemplatePtr& asset,
     });
 }
 
-void ImpostorGpu::bind(int texels, int sets, int shown) const
+void ImpostorGpu::bind(int texels, int sets, int cards) const
 {
     m_texels.bind(texels);
     m_sets.bind(sets);
-    m_shown.bind(shown);
+    m_cards.bind(cards);
 }
 
 } // namespace crowd::render

@@ -30,8 +30,8 @@ public:
     void take(model::KeyframeStore& store, const model::TemplatePtr& asset,
               std::span<const model::BakedClipPtr> complete, std::vector<PlanClip>& clips);
 
-    /// Binds texels, the table of sets and what of cards is shown to texture units.
-    void bind(int texels, int sets, int shown) const;
+    /// Binds texels, the table of sets and that of cards to texture units.
+    void bind(int texels, int sets, int cards) const;
     /// Of all slots: for the shader that draws any of them.
     [[nodiscard]] const GroupState& state() const { return m_state; }
     /// Words for the shader beside those of the state.
@@ -50,7 +50,7 @@ private:
     std::set<std::pair<int, int>> m_wanted; ///< clip and band; not sent yet
     TexelBuffer m_texels;
     TexelBuffer m_sets;
-    TexelBuffer m_shown;          ///< ImpostorSet::shown
+    TexelBuffer m_cards;          ///< ImpostorSet::cards
     std::size_t m_texelCount = 0; ///< sent
     std::size_t m_cardCount = 0;
     std::uint32_t m_setCount = 0;

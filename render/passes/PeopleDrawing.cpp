@@ -17,7 +17,7 @@ using namespace model;
 
 constexpr int kTemplateUnit = kAppearanceUnit + 1; ///< and the two after it
 constexpr int kPicturesUnit = kTemplateUnit + 3;
-constexpr int kShownUnit = kPicturesUnit + 1;
+constexpr int kCardsUnit = kPicturesUnit + 1;
 constexpr int kInstancesUnit = kEarlierUnit + 1;
 constexpr int kCardCorners = 6; ///< of two triangles
 /// A software rasteriser works on what was flushed while the next piece is prepared.
@@ -39,10 +39,10 @@ PeopleDrawing::PeopleDrawing()
       m_cardPrograms("impostor", [](ShaderProgram& program) {
           program.set("placement", kPlacementUnit);
           program.set("appearance", kAppearanceUnit);
-          program.set("cards", kTemplateUnit);
+          program.set("cardTexels", kTemplateUnit);
           program.set("cardSets", kTemplateUnit + 1);
           program.set("instances", kInstancesUnit);
-          program.set("cardShown", kShownUnit);
+          program.set("cards", kCardsUnit);
           program.set("materials", kTemplateUnit + 2);
           program.set("images", kPicturesUnit);
       })
@@ -106,7 +106,7 @@ Result<void> PeopleDrawing::drawCards(const PassContext& context, const CrowdDra
     ShaderProgram& program = *shader.value();
     program.use();
     setUniforms(context, drawing, gpu, program);
-    const View& view = context.input.view;
+    const View& view = drawing.seenFrom != nullptr ? *drawing.seenFrom : context.input.view;
     const bool isPerspective = view.camera().projection == Projection::Perspective;
     program.set("cardEye", isPerspective ? glm::vec4(view.camera().position, 1.0F)
                                          : glm::vec4(-view.camera().forward(), 0.0F));
@@ -117,7 +117,7 @@ Result<void> PeopleDrawing::drawCards(const PassContext& context, const CrowdDra
     drawing.rows.placement.bind(kPlacementUnit);
     drawing.rows.appearance.bind(kAppearanceUnit);
     gpu.bindTables(0, kTemplateUnit);
-    impostors.bind(kTemplateUnit, kTemplateUnit + 1, kShownUnit);
+    impostors.bind(kTemplateUnit, kTemplateUnit + 1, kCardsUnit);
     gpu.bindPictures(impostors.state().pictures, kPicturesUnit);
     bindInstances(drawing.instances);
     program.set("firstInstance", static_cast<int>(run.first));

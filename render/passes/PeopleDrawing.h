@@ -33,6 +33,7 @@ public:
         std::string defines{}; ///< added to those of the group
         float opacity = 1.0F;
         Surface surface = Surface::Solid;
+        const model::View* seenFrom = nullptr; ///< of a light; else the picture's
     };
     [[nodiscard]] model::Result<void> draw(const PassContext& context, const CrowdDraw& drawing,
                                            const TemplateGpu& gpu, const InstanceRun& run);

@@ -5,8 +5,10 @@ flat in vec4 behind;
 flat in uvec4 card;
 flat in vec4 shape;
 
-uniform usamplerBuffer cards; // ImpostorTexel
+uniform usamplerBuffer cardTexels; // ImpostorTexel
+#ifdef CASTER
 uniform mat4 viewProjection;
+#endif
 #if defined(TEXTURED) || defined(GLOWING)
 uniform sampler2DArray images; // alpha holds the tint mask where the material is opaque
 
@@ -33,22 +35,26 @@ void carryTexel()
     ivec2 size = ivec2(card.y & 65535u, card.y >> 16);
     ivec2 at = clamp(ivec2(onCard), ivec2(0), size - 1);
     int texel = int(card.x) + at.y * size.x + at.x;
-    uvec2 found = texelFetch(cards, texel).xy;
+    uvec2 found = texelFetch(cardTexels, texel).xy;
     if (slotOf(found.y) == kNoSlot) {
         discard;
     }
 #ifdef PARTS
     uint part = found.y >> 14 & 63u;
     if (part != kNoPartOfCard && !isShown(int(card.w & kRowMask), part)) {
-        found = texelFetch(cards, texel + int(card.z)).xy;
+        found = texelFetch(cardTexels, texel + int(card.z)).xy;
         if (slotOf(found.y) == kNoSlot) {
             discard;
         }
     }
 #endif
     vec3 world = onFront + behind.xyz * (float(found.y & 255u) * (1.0 / 255.0));
+#ifdef CASTER
+    // Into shadow maps as deep as it is: else arms and legs were in the shadow of the whole.
     vec4 place = viewProjection * vec4(world, 1.0);
     gl_FragDepth = clamp(place.z / place.w * 0.5 + 0.5, 0.0, 1.0);
+    return;
+#endif
     vec3 n = octahedral(found.x >> 16) * shape.zwz; // proportional to the inverse of the scale
     n = normalize(vec3(shape.x * n.x + shape.y * n.z, n.y, shape.x * n.z - shape.y * n.x));
     vec2 uv = (vec2(found.x & 255u, found.x >> 8 & 255u) + 0.5) * (1.0 / 256.0);

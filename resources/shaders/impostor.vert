@@ -3,8 +3,8 @@
 uniform usamplerBuffer instances; // Instance, word by word: row and flags, phase, set
 uniform int firstInstance;
 uniform samplerBuffer placement; // per row: position cos | sin height girth lift
-uniform usamplerBuffer cardSets; // SetRecord: low size | middle nearest depth sine | cosine width height layers | first
-uniform usamplerBuffer cardShown; // per card: texels from xy up to zw
+uniform usamplerBuffer cardSets; // SetRecord: low size | middle nearest depth sine | cosine width height layers | first card
+uniform usamplerBuffer cards;    // CardRecord: what is shown, first texel, plane
 uniform mat4 viewProjection;
 uniform vec4 cardEye;         // where one looks from; 0 in w: the direction towards there
 uniform float texelsPerPixel; // of pictures, a metre away
@@ -13,8 +13,10 @@ uniform float lastPictureLevel;
 const int kAzimuths = 32;
 const int kWords = 5; // of an Instance
 const float kPi = 3.14159265;
+const float kPerSlope = 1.0 / 8192.0;
+const float kCasterMetres = 0.06;
 
-out vec2 onCard;      // texels
+out vec2 onCard;      // texels of what is shown
 out vec3 onFront;     // the card moved to the nearest there is on it, world
 flat out vec4 behind; // from there to the farthest, world; level of pictures in w
 flat out uvec4 card;  // first texel, width and height, texels of a layer, row and flags
@@ -49,17 +51,29 @@ void main()
     vec3 up = cross(towards, right);
     int turn = gl_VertexID % 6;
     int which = turn < 3 ? turn : 6 - turn; // lower left, lower right, upper left; upper right
-    uvec2 first = texelFetch(cardSets, record + 3).xy;
+    uint firstCard = texelFetch(cardSets, record + 3).x;
     uint number = texelFetch(instances, at + 1).x * uint(kAzimuths) + uint(nearest);
-    vec4 shown = vec4(texelFetch(cardShown, int(first.y + number)));
-    onCard = vec2((which & 1) == 0 ? shown.x : shown.z, which < 2 ? shown.y : shown.w);
-    vec2 spot = extent.xy + onCard / vec2(texels.yz) * extent.zw;
+    uvec4 cardRecord = texelFetch(cards, int(firstCard + number));
+    vec4 shown = vec4(cardRecord.x & 255u, cardRecord.x >> 8 & 255u, cardRecord.x >> 16 & 255u, cardRecord.x >> 24);
+    // Of the plane, metres towards the eye in the card's middle, and slopes to the right and up.
+    vec3 plane = vec3(inside.y - inside.z * float(cardRecord.z & 65535u) * (1.0 / 65535.0),
+                      float(int(cardRecord.z) >> 16) * kPerSlope, float(int(cardRecord.w << 16) >> 16) * kPerSlope);
+    onCard = vec2((which & 1) == 0 ? 0.0 : shown.z - shown.x, which < 2 ? 0.0 : shown.w - shown.y);
+    vec2 spot = extent.xy + (shown.xy + onCard) / vec2(texels.yz) * extent.zw;
     vec3 world = middle + turned((right * spot.x + up * spot.y) * scale);
     gl_Position = viewProjection * vec4(world, 1.0);
     onFront = world + turned(towards * inside.y * scale);
+#ifdef CASTER
+    // A picture from beside is a little elsewhere than what it shows, which is not to be in its own
+    // shadow.
+    onFront -= normalize(away) * kCasterMetres;
+#endif
+    // As deep as the plane that lies nearest to what the card shows. Fragments that said their own
+    // depth could not be left out before they are worked on, where somebody nearer is.
+    vec4 deep = viewProjection * vec4(world + turned(towards * (plane.x + dot(plane.yz, spot)) * scale), 1.0);
+    gl_Position.z = deep.z / deep.w * gl_Position.w;
     behind = vec4(turned(towards * -inside.z * scale),
                   clamp(round(log2(texelsPerPixel * gl_Position.w / max(shape.w, 1e-4))), 0.0, lastPictureLevel));
-    uint perLayer = texels.y * texels.z;
-    card = uvec4(first.x + number * perLayer * texels.w, texels.y | texels.z << 16,
-                 texels.w > 1u ? perLayer : 0u, rowAndFlags);
+    uvec2 size = uvec2(shown.zw - shown.xy);
+    card = uvec4(cardRecord.y, size.x | size.y << 16, texels.w > 1u ? size.x * size.y : 0u, rowAndFlags);
 }
