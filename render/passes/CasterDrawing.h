@@ -9,11 +9,10 @@
 
 namespace crowd::render {
 
-/// Texels of a shadow map in which people are as tall as the levels' thresholds want.
-inline constexpr LevelThresholds kShadowLevels{{90.0F, 45.0F, 22.0F}, 0.0F};
-
-/// Into the shadow map that is bound, whom a light sees.
+/// Into the shadow map that is bound, whom a light sees: of triangles, or of cards where the
+/// picture may have some. `seen` is planned and sent anew.
 [[nodiscard]] model::Result<void> drawCasters(const PassContext& context, PeopleDrawing& people,
-                                              CrowdGpu& crowd, const CrowdView& seen);
+                                              CrowdGpu& crowd, CrowdView& seen,
+                                              const model::View& light);
 
 } // namespace crowd::render

@@ -85,9 +85,7 @@ Result<void> LightShadowPass::forEachLamp(const Draw& draw) const
 Result<void> LightShadowPass::drawPeople(const PassContext& casting, CrowdGpu& crowd,
                                          const LampView& lamp)
 {
-    m_seen.plan({*casting.input.frame, lamp.view, 1.0F, kShadowLevels}, crowd);
-    m_seen.uploadSolid();
-    return drawCasters(casting, m_people, crowd, m_seen);
+    return drawCasters(casting, m_people, crowd, m_seen, lamp.view);
 }
 
 /// Where the shaders find each on the map.

@@ -128,9 +128,7 @@ Result<void> ShadowPass::draw(PassContext& context, CrowdGpu& crowd)
                       [&] { return m_stage.drawCasters(casting); });
     Result<void> drawn = begun ? Result<void>() : begun.error();
     if (begun && begun.value() && context.input.frame) {
-        m_seen.plan({*context.input.frame, sun->view, 1.0F, kShadowLevels}, crowd);
-        m_seen.uploadSolid();
-        drawn = drawCasters(casting, m_people, crowd, m_seen);
+        drawn = drawCasters(casting, m_people, crowd, m_seen, sun->view);
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     if (begun && begun.value()) {

@@ -68,6 +68,8 @@ private Q_SLOTS:
     void builtInPeopleLookLikeThemselves_data();
     void builtInPeopleLookLikeThemselves();
     void theyHideWhatIsBehindThem();
+    void theyCastShadowsAsTrianglesDo_data();
+    void theyCastShadowsAsTrianglesDo();
     void whoIsHighlightedHasARim();
     void trianglesStandInWhileTheyAreBaked();
     void wiresAreOfTriangles();
@@ -293,6 +295,62 @@ void TestDrawnImpostors::theyHideWhatIsBehindThem()
     (void)drawn(input, 0.0F);
     const std::set<std::uint8_t> same{m_pixels.begin(), m_pixels.end()};
     QVERIFY(reds == same);
+}
+
+void TestDrawnImpostors::theyCastShadowsAsTrianglesDo_data()
+{
+    QTest::addColumn<float>("azimuth");
+    QTest::addColumn<float>("elevation");
+    for (const float azimuth : {1.1F, 2.5F, 4.4F}) {
+        for (const float elevation : {0.25F, 0.5F, 0.9F}) {
+            QTest::addRow("%g around, %g above", static_cast<double>(azimuth),
+                          static_cast<double>(elevation))
+                << azimuth << elevation;
+        }
+    }
+}
+
+/// Also where people are too near to be cards themselves: nobody is in the shadow of his own card.
+/// From beside: seen along the light a shadow is but a rim, which half a texel makes twice as wide.
+void TestDrawnImpostors::theyCastShadowsAsTrianglesDo()
+{
+    QFETCH(float, azimuth);
+    QFETCH(float, elevation);
+    constexpr int kPeople = 9;
+    m_asset = m_man;
+    m_people = makeRow(kPeople);
+    std::vector<glm::vec3> places;
+    for (int i = 0; i < kPeople; ++i) {
+        const glm::vec2 cell(i % 3 - 1, i / 3 - 1);
+        places.emplace_back(cell.x * 16.0F, 0.0F, cell.y * 16.0F);
+    }
+    m_people.setValues<glm::vec3>(model::columns::position, m_people.ids(), places);
+    render::RenderInput input = from(0.3F, 1.0F, 11.0F);
+    input.showGround = true;
+    input.showShadows = true;
+    input.lighting.showGroundGrid = false;
+    input.lighting.sunAzimuthRadians = azimuth;
+    input.lighting.sunElevationRadians = elevation;
+    input.lighting.shadowStrength = 1.0F;
+    const auto mean = [&](float impostorPixels) {
+        (void)drawn(input, impostorPixels);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < m_pixels.size(); i += 4) {
+            sum += m_pixels[i + 1];
+        }
+        return sum / (static_cast<double>(m_pixels.size()) / 4.0);
+    };
+    const double ofTriangles = mean(0.0F);
+    const auto drawnTriangles = m_renderer->statistics().triangles;
+    constexpr float kTiny = 1e-3F; // nobody is a card but in the shadow map
+    const double ofCards = mean(kTiny);
+    QCOMPARE(m_renderer->statistics().byLevel[kCards], 0);
+    QVERIFY(m_renderer->statistics().triangles < drawnTriangles);
+    input.showShadows = false;
+    const double shadowed = mean(0.0F) - ofTriangles;
+    QVERIFY2(shadowed > 0.1, qPrintable(QString::number(shadowed)));
+    const double off = std::abs(ofCards - ofTriangles) / shadowed;
+    QVERIFY2(off < 0.2, qPrintable(QString::number(off)));
 }
 
 void TestDrawnImpostors::whoIsHighlightedHasARim()
