@@ -2359,7 +2359,7 @@
     </message>
     <message>
         <source>Area</source>
-        <translation>Bereich</translation>
+        <translation>Fläche</translation>
     </message>
     <message>
         <source>Brush</source>
@@ -2386,16 +2386,12 @@
         <translation> /s</translation>
     </message>
     <message>
-        <source>Through</source>
-        <translation>Hindurch</translation>
-    </message>
-    <message>
         <source>Also characters hidden behind others or the stage</source>
         <translation>Auch Figuren, die von anderen oder der Bühne verdeckt sind</translation>
     </message>
     <message>
         <source>Build up</source>
-        <translation>Aufbauen</translation>
+        <translation>Mehrfach</translation>
     </message>
     <message>
         <source>Each dab changes again whom it touches</source>
@@ -4174,10 +4170,6 @@
         <translation>Nur Licht und Schatten, ohne Stufe dazwischen</translation>
     </message>
     <message>
-        <source>Each click puts one there. Lines and areas: each click adds a corner, a drag draws freely; Enter or a double click ends it, a click on the first corner closes it.</source>
-        <translation>Jeder Klick setzt einen Ort. Linien und Flächen: Jeder Klick setzt eine Ecke, Ziehen zeichnet frei; Eingabe oder ein Doppelklick beendet sie, ein Klick auf die erste Ecke schließt sie.</translation>
-    </message>
-    <message>
         <source>Round</source>
         <translation>Rund</translation>
     </message>
@@ -4200,6 +4192,18 @@
     <message>
         <source>Shape</source>
         <translation>Form</translation>
+    </message>
+    <message>
+        <source>Also hidden</source>
+        <translation>Auch Verdeckte</translation>
+    </message>
+    <message>
+        <source>Each click puts one there.</source>
+        <translation>Jeder Klick setzt einen Ort.</translation>
+    </message>
+    <message>
+        <source>Each click adds a corner, a drag draws freely; Enter or a double click ends it, a click on the first corner closes it.</source>
+        <translation>Jeder Klick setzt eine Ecke, Ziehen zeichnet frei; Eingabe oder ein Doppelklick beendet sie, ein Klick auf die erste Ecke schließt sie.</translation>
     </message>
 </context>
 <context>
@@ -5620,7 +5624,7 @@
     </message>
     <message>
         <source>It is %1 m large as it is; import it at scale %2.</source>
-        <translation>Die Figur ist, wie sie ist, %1 m groß; sie im Maßstab %2 importieren.</translation>
+        <translation>Es misst, wie es ist, an der längsten Seite %1 m; es im Maßstab %2 importieren.</translation>
     </message>
     <message>
         <source>It seems to lie on its back: Z was up where it was made.</source>
@@ -6300,15 +6304,19 @@
     </message>
     <message>
         <source>It is named &quot;%1&quot; and %2 m large; import it at scale %3, or at 1 if it is meant to be so.</source>
-        <translation>Es heißt „%1“ und ist %2 m groß; importieren Sie es im Maßstab %3, oder in 1, wenn es so gemeint ist.</translation>
+        <translation>Es heißt „%1“ und misst an der längsten Seite %2 m; importieren Sie es im Maßstab %3, oder in 1, wenn es so gemeint ist.</translation>
     </message>
     <message>
         <source>It is named &quot;%1&quot; and %2 m large: scale %3 would make it as large as one.</source>
-        <translation>Es heißt „%1“ und ist %2 m groß: Im Maßstab %3 wäre es so groß wie ein echtes.</translation>
+        <translation>Es heißt „%1“ und misst an der längsten Seite %2 m: Im Maßstab %3 wäre es so groß wie ein echtes.</translation>
     </message>
     <message>
         <source>%1 must be a list of [x, y, z], metres from the position: 2 or more of a line, 3 or more of an area, at most %2, none farther off than %3</source>
         <translation>%1 muss eine Liste von [x, y, z] sein, Meter von der Position aus: 2 oder mehr einer Linie, 3 oder mehr einer Fläche, höchstens %2, keine weiter weg als %3</translation>
+    </message>
+    <message>
+        <source>%1.%2</source>
+        <translation>%1,%2</translation>
     </message>
 </context>
 <context>
@@ -6456,10 +6464,6 @@
         <translation>Einen Weg schließen</translation>
     </message>
     <message>
-        <source>Click: add a place to the path · + −: its size · on the first place: close the path · Enter: end it · V: move and resize places</source>
-        <translation>Klick: dem Weg einen Ort hinzufügen · + −: seine Größe · auf dem ersten Ort: Weg schließen · Eingabe: beenden · V: Orte versetzen und ihre Größe ändern</translation>
-    </message>
-    <message>
         <source>Click: put it on the ground · + −: its size · V: move and resize</source>
         <translation>Klick: auf den Boden setzen · + −: Größe · V: versetzen und Größe ändern</translation>
     </message>
@@ -6492,16 +6496,20 @@
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Click: add a corner · Drag: draw freely · Enter or double click: end it · on the first corner: close it · + −: the width of a line · V: move corners</source>
-        <translation>Klick: eine Ecke setzen · Ziehen: frei zeichnen · Eingabe oder Doppelklick: beenden · auf die erste Ecke: schließen · + −: Breite einer Linie · V: Ecken verschieben</translation>
-    </message>
-    <message>
         <source>Add: %1</source>
         <translation>Hinzufügen: %1</translation>
     </message>
     <message>
-        <source>Click: add a corner · Drag: draw freely · Enter or double click: end it · on the first corner: close it · V: move corners</source>
-        <translation>Klick: eine Ecke setzen · Ziehen: frei zeichnen · Eingabe oder Doppelklick: beenden · auf die erste Ecke: schließen · V: Ecken verschieben</translation>
+        <source>Click: add a corner · Drag: draw freely · Enter, Esc or double click: end it · on the first corner: close it · V: move corners</source>
+        <translation>Klick: eine Ecke setzen · Ziehen: frei zeichnen · Eingabe, Esc oder Doppelklick: beenden · auf die erste Ecke: schließen · V: Ecken verschieben</translation>
+    </message>
+    <message>
+        <source>Click: add a corner · Drag: draw freely · Enter, Esc or double click: end it · on the first corner: close it · + −: the width of a line · V: move corners</source>
+        <translation>Klick: eine Ecke setzen · Ziehen: frei zeichnen · Eingabe, Esc oder Doppelklick: beenden · auf die erste Ecke: schließen · + −: Breite einer Linie · V: Ecken verschieben</translation>
+    </message>
+    <message>
+        <source>Click: add a place to the path · + −: its size · on the first place: close the path · Enter or Esc: end it · Double click on a path: another place in it · V: move and resize places</source>
+        <translation>Klick: dem Weg einen Ort hinzufügen · + −: seine Größe · auf dem ersten Ort: Weg schließen · Eingabe oder Esc: beenden · Doppelklick auf einen Weg: ein Ort mehr darin · V: Orte versetzen und ihre Größe ändern</translation>
     </message>
 </context>
 <context>
@@ -6529,6 +6537,13 @@
     <message>
         <source>Density</source>
         <translation>Dichte</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Return</source>
+        <translation>Eingabe</translation>
     </message>
 </context>
 <context>
@@ -6743,10 +6758,6 @@
         </translation>
     </message>
     <message>
-        <source>a rule</source>
-        <translation>eine Regel</translation>
-    </message>
-    <message>
         <source>character %1</source>
         <translation>Figur %1</translation>
     </message>
@@ -6760,6 +6771,10 @@
     <message>
         <source>characters %1</source>
         <translation>Figuren %1</translation>
+    </message>
+    <message>
+        <source>a deleted rule</source>
+        <translation>eine gelöschte Regel</translation>
     </message>
 </context>
 <context>
@@ -8776,6 +8791,12 @@
         <source>%1 to %2 m tall</source>
         <translation>%1 bis %2 m groß</translation>
     </message>
+    <message>
+        <source>%1 from %2 m
+%3 to %4 m</source>
+        <translation>%1 ab %2 m
+%3 bis %4 m</translation>
+    </message>
 </context>
 <context>
     <name>StepMenu</name>
@@ -8871,7 +8892,7 @@
     </message>
     <message>
         <source>Select characters: when which rules fired for them</source>
-        <translation>Wählen Sie Figuren aus: wann welche Regeln für sie ausgelöst wurden</translation>
+        <translation>Figuren auswählen: wann ihre Regeln auslösten</translation>
     </message>
     <message>
         <source>Double click in a lane: what is to happen then. Or record: cues that are pressed, states that are recalled and events that are painted while it plays come here.</source>
@@ -9029,11 +9050,11 @@
     </message>
     <message>
         <source>Scale Brush</source>
-        <translation>Größen-Pinsel</translation>
+        <translation>Größenpinsel</translation>
     </message>
     <message>
         <source>Material Brush</source>
-        <translation>Material-Pinsel</translation>
+        <translation>Materialpinsel</translation>
     </message>
     <message>
         <source>Group Brush</source>
@@ -9483,6 +9504,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Save Scene As: Its Files Are Collected Beside It</source>
         <translation>Szene speichern unter: Ihre Dateien werden daneben gesammelt</translation>
+    </message>
+    <message>
+        <source>&amp;Not Now</source>
+        <translation>&amp;Jetzt nicht</translation>
     </message>
 </context>
 <context>
@@ -10548,7 +10573,7 @@ Verworfen ist sie fort.</translation>
     </message>
     <message>
         <source>Area</source>
-        <translation>Bereich</translation>
+        <translation>Fläche</translation>
     </message>
     <message>
         <source>Size</source>

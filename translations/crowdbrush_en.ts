@@ -2386,10 +2386,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Through</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Also characters hidden behind others or the stage</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4174,10 +4170,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Each click puts one there. Lines and areas: each click adds a corner, a drag draws freely; Enter or a double click ends it, a click on the first corner closes it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Round</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4199,6 +4191,18 @@
     </message>
     <message>
         <source>Shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Also hidden</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each click puts one there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each click adds a corner, a drag draws freely; Enter or a double click ends it, a click on the first corner closes it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6310,6 +6314,10 @@
         <source>%1 must be a list of [x, y, z], metres from the position: 2 or more of a line, 3 or more of an area, at most %2, none farther off than %3</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1.%2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -6456,10 +6464,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Click: add a place to the path · + −: its size · on the first place: close the path · Enter: end it · V: move and resize places</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Click: put it on the ground · + −: its size · V: move and resize</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6492,15 +6496,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Click: add a corner · Drag: draw freely · Enter or double click: end it · on the first corner: close it · + −: the width of a line · V: move corners</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Add: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Click: add a corner · Drag: draw freely · Enter or double click: end it · on the first corner: close it · V: move corners</source>
+        <source>Click: add a corner · Drag: draw freely · Enter, Esc or double click: end it · on the first corner: close it · V: move corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: add a corner · Drag: draw freely · Enter, Esc or double click: end it · on the first corner: close it · + −: the width of a line · V: move corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: add a place to the path · + −: its size · on the first place: close the path · Enter or Esc: end it · Double click on a path: another place in it · V: move and resize places</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6528,6 +6536,13 @@
     </message>
     <message>
         <source>Density</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Return</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6743,10 +6758,6 @@
         </translation>
     </message>
     <message>
-        <source>a rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>character %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6759,6 +6770,10 @@
     </message>
     <message>
         <source>characters %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a deleted rule</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8776,6 +8791,11 @@
         <source>%1 to %2 m tall</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 from %2 m
+%3 to %4 m</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>StepMenu</name>
@@ -9477,6 +9497,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Save Scene As: Its Files Are Collected Beside It</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Not Now</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -198,6 +198,7 @@ FileController::RecoveryAnswer FileController::askForRecovery(const QString& que
                     QMessageBox::Yes | QMessageBox::No | QMessageBox::Cancel, m_window);
     box.button(QMessageBox::Yes)->setText(tr("&Recover"));
     box.button(QMessageBox::No)->setText(tr("&Throw Away"));
+    box.button(QMessageBox::Cancel)->setText(tr("&Not Now")); // it is asked again
     box.setDefaultButton(QMessageBox::Yes);
     box.setEscapeButton(QMessageBox::Cancel); // closing the question decides nothing
     switch (box.exec()) {

@@ -19,6 +19,9 @@ const QString kPrefix = QStringLiteral("crowdbrush_");
 const QString kTranslator = QStringLiteral("language"); ///< the name of those installed here
 const char* const kInUse = "language";                  ///< property of the application
 
+/// Qt's translations leave the name of this key as it is.
+[[maybe_unused]] constexpr const char* kKeys[] = {QT_TRANSLATE_NOOP("QShortcut", "Return")};
+
 void install(std::unique_ptr<QTranslator> translator)
 {
     translator->setParent(QCoreApplication::instance());

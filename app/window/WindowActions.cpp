@@ -187,7 +187,7 @@ const WindowAction kEditActions[] = {
           [](MainWindow& w) {
               return !w.state().selection().isEmpty() || !w.state().paths().places().empty();
           }}},
-    {{"put-on-ground", QT_TRANSLATE_NOOP("Actions", "Put on the &Ground"), "locate", "",
+    {{"put-on-ground", QT_TRANSLATE_NOOP("Actions", "Put on the &Ground"), "put-on-ground", "",
       QT_TRANSLATE_NOOP("Actions",
                         "Put those of the selected characters, or of all, who stand where "
                         "nobody can walk on the nearest ground")},

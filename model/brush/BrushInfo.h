@@ -33,8 +33,8 @@ enum class OperatorPlace : std::uint8_t {
 };
 
 /// Texts are literals: `name` in the translation context "Tools"; `menu` and `tip` in "Actions";
-/// `hint` and `done` in "BrushTool"; `undo` and `unchanged` in "Brushes"; `note` and `gradientNote`
-/// in "Fields". `done` and `undo` count (%n).
+/// `hint` and `done` in "BrushTool"; `undo` and `unchanged` in "Brushes"; `note`, `cornersNote` and
+/// `gradientNote` in "Fields". `done` and `undo` count (%n).
 struct BrushInfo
 {
     const char* id;       ///< stable, lower case: "scale" is action brush-scale, icons/brush-scale
@@ -52,11 +52,12 @@ struct BrushInfo
     const char* scriptClass = ""; ///< name of the settings' class in scripts
     const char* doc = "";         ///< of that class
 
-    const char* hint = "";      ///< what drags and keys do
-    const char* done = "";      ///< after a stroke: "%n characters scaled"
-    const char* undo = "";      ///< in the history: "Scale %n character(s)"
-    const char* unchanged = ""; ///< why a stroke did nothing although somebody was meant
-    const char* note = "";      ///< at the end of the form
+    const char* hint = "";        ///< what drags and keys do
+    const char* done = "";        ///< after a stroke: "%n characters scaled"
+    const char* undo = "";        ///< in the history: "Scale %n character(s)"
+    const char* unchanged = "";   ///< why a stroke did nothing although somebody was meant
+    const char* note = "";        ///< at the end of the form
+    const char* cornersNote = ""; ///< in its stead where shapes with corners are drawn
 
     OperatorPlace operatorPlace = OperatorPlace::None;
     const char* gradientNote = ""; ///< what the gradient operator does

@@ -206,7 +206,7 @@ constexpr auto BrushSettings::fields()
                                   .isLogarithmic = true})
             .when(spraying),
         field(&S::through, {.key = "through",
-                            .label = QT_TRANSLATE_NOOP("Fields", "Through"),
+                            .label = QT_TRANSLATE_NOOP("Fields", "Also hidden"),
                             .tip = QT_TRANSLATE_NOOP(
                                 "Fields", "Also characters hidden behind others or the stage"),
                             .doc = "Also those hidden behind others."})

@@ -30,8 +30,9 @@ float largest(const glm::vec3& size)
     return std::max({size.x, size.y, size.z});
 }
 
-/// Three digits that count, or as many as there are before the point.
-std::string number(float value)
+/// Three digits that count, or as many as there are before the point, which some languages write
+/// otherwise.
+Message number(float value)
 {
     const double size = std::abs(static_cast<double>(value));
     const int decimals =
@@ -44,7 +45,11 @@ std::string number(float value)
     if (decimals > 0) {
         digits.erase(digits.find_last_not_of('0') + 1);
     }
-    return digits.back() == '.' ? digits.substr(0, digits.size() - 1) : digits;
+    const std::size_t point = digits.find('.');
+    const bool isWhole = point == std::string::npos || point + 1 == digits.size();
+    return isWhole ? Message(digits.substr(0, point))
+                   : Message(QT_TRANSLATE_NOOP("Messages", "%1.%2"), digits.substr(0, point),
+                             digits.substr(point + 1));
 }
 
 /// Units that files are made in by mistake: centimetres, millimetres, inches, decimetres.

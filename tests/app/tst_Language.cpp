@@ -215,6 +215,7 @@ private Q_SLOTS:
     void nothingIsLost();
     void aFloatingPanelStaysWhereItIs();
     void hiddenPanelsStayHidden();
+    void thePanelsFitASmallScreen();
     void pythonKeepsItsNames();
     void aStrokeIsWaitedFor();
     void theMenuChoosesAndItIsRemembered();
@@ -357,6 +358,24 @@ void LanguageTest::hiddenPanelsStayHidden()
     QTRY_COMPARE(moved(before, placesOf(*m_window)), QStringList());
 }
 
+/// With all that can be open beside the picture and below it.
+void LanguageTest::thePanelsFitASmallScreen()
+{
+    constexpr int kSmall = 1280;
+    for (const QString& language : {QStringLiteral("en"), QStringLiteral("de")}) {
+        change(language);
+        for (const app::DockId below : {app::DockId::Timeline, app::DockId::Rules}) {
+            m_window->dockLayout().dock(below)->show();
+            m_window->dockLayout().dock(below)->raise();
+            m_window->resize(kSmall, 700);
+            QTRY_VERIFY(m_window->dockLayout().dock(below)->width() > 0);
+            const int least = m_window->minimumSizeHint().width();
+            QVERIFY2(least <= kSmall,
+                     qPrintable(QStringLiteral("%1: %2").arg(language).arg(least)));
+        }
+    }
+}
+
 void LanguageTest::pythonKeepsItsNames()
 {
     openScene(plainScene(2), QStringLiteral("a.crowd"));
@@ -434,6 +453,8 @@ void LanguageTest::qtSpeaksItToo()
     QCOMPARE(buttons.button(QDialogButtonBox::Cancel)->text(), QStringLiteral("Abbrechen"));
     QCOMPARE(QKeySequence(Qt::CTRL | Qt::Key_S).toString(QKeySequence::NativeText),
              QStringLiteral("Strg+S"));
+    QCOMPARE(QKeySequence(Qt::CTRL | Qt::Key_Return).toString(QKeySequence::NativeText),
+             QStringLiteral("Strg+Eingabe"));
 }
 
 CROWD_WINDOW_TEST(LanguageTest)

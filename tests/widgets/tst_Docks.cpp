@@ -40,6 +40,8 @@ private Q_SLOTS:
     void sliderChangesTheBrush();
     void tickedTemplatesAreTheMix();
     void heightsAreSaidInMetres();
+    void unlikeHeightsAreSaidByName();
+    void theNoteIsThatOfTheShape();
     void theMaskIsNoLowerThanOtherBoxes();
     void outlineListsTheScene();
     void renamedCameraCanBeUndone();
@@ -167,6 +169,41 @@ void DocksTest::heightsAreSaidInMetres()
     QCOMPARE(statureText({&scene, &create}, {1.0F, 1.0F}), QString());
     create.as<model::CreateSettings>().mix = {{scene.templates.front().id, 1.0F}};
     QVERIFY(statureText({&scene, &create}, {1.0F, 1.0F}).endsWith(QStringLiteral("m tall")));
+}
+
+/// A butterfly and a helicopter have no height in common.
+void DocksTest::unlikeHeightsAreSaidByName()
+{
+    model::Scene scene;
+    for (const auto& [name, height] : {std::pair("Butterfly", 0.05F), std::pair("Truck", 3.0F)}) {
+        auto asset = std::make_shared<model::Template>();
+        asset->height = height;
+        model::TemplateEntry& entry = scene.templates.emplace_back();
+        entry.id = static_cast<model::TemplateId>(scene.templates.size());
+        entry.name = name;
+        entry.asset = asset;
+    }
+    QCOMPARE(statureText({&scene, nullptr}, {0.8F, 1.2F}),
+             QStringLiteral("Butterfly from 0.04 m\nTruck to 3.60 m"));
+}
+
+void DocksTest::theNoteIsThatOfTheShape()
+{
+    Desk<BrushSettingsDock> desk;
+    QVERIFY(desk.isReady());
+    desk.state.setTool(ToolId::BrushEnvironment);
+    const auto says = [&desk](const QString& text) {
+        return std::ranges::any_of(desk.all<QLabel>(), [&text](const QLabel* label) {
+            return label->text().contains(text);
+        });
+    };
+    QTRY_VERIFY(says(QStringLiteral("Each click puts one there")));
+    QVERIFY(!says(QStringLiteral("adds a corner")));
+    model::BrushSettings brush = desk.state.brush(model::BrushKind::Environment);
+    brush.as<model::EnvironmentSettings>().shape = model::PlaceShape::Line;
+    desk.state.setBrush(brush);
+    QTRY_VERIFY(says(QStringLiteral("adds a corner")));
+    QVERIFY(!says(QStringLiteral("Each click puts one there")));
 }
 
 void DocksTest::theMaskIsNoLowerThanOtherBoxes()

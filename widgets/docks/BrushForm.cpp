@@ -102,6 +102,21 @@ void addOwnFields(FieldForm& form, const model::BrushType& type)
     }
 }
 
+void addNotes(FieldForm& form, const model::BrushInfo& info, const BrushTarget& brush)
+{
+    const auto hasCorners = [read = brush.read] {
+        const auto* places = read().find<model::EnvironmentSettings>();
+        return places != nullptr && places->shape != model::PlaceShape::Round;
+    };
+    const bool isEither = *info.cornersNote != '\0';
+    if (*info.note != '\0') {
+        form.addNote(fieldText(info.note), [=] { return !isEither || !hasCorners(); });
+    }
+    if (isEither) {
+        form.addNote(fieldText(info.cornersNote), hasCorners);
+    }
+}
+
 void addScriptFields(FieldForm& form, const EditorState& state)
 {
     const auto& brushes = state.scriptBrushes();
@@ -153,9 +168,7 @@ FieldForm* brushForm(EditorState& state, const BrushTarget& brush, EditorState* 
     if (kind == BrushKind::Script) {
         addScriptFields(*form, state);
     }
-    if (*type.info.note != '\0') {
-        form->addNote(fieldText(type.info.note)); // else it stands under a mask that has no fields
-    }
+    addNotes(*form, type.info, brush); // else they stand under a mask that has no fields
     form->addField(commonField("mask"), {}, {});
     form->finish();
     return form;

@@ -181,15 +181,10 @@ void EnvironmentDock::buildSizeRow()
         changePlace(tr("Change the room of a place"),
                     [&](model::Place& each) { each.capacity = static_cast<std::uint32_t>(value); });
     });
-    auto* label = new QLabel(tr("Room for"), this);
-    label->setBuddy(m_capacity);
-    m_sizeRow = new QHBoxLayout;
-    m_sizeRow->addWidget(m_radius, 1);
-    m_sizeRow->addWidget(label);
-    m_sizeRow->addWidget(m_capacity, 1);
     m_sizeLabel = new QLabel(tr("Radius, m"), this);
     m_sizeLabel->setBuddy(m_radius);
-    m_form->addRow(m_sizeLabel, m_sizeRow);
+    m_form->addRow(m_sizeLabel, m_radius);
+    m_form->addRow(tr("Room for"), m_capacity);
 }
 
 void EnvironmentDock::buildShapeRow()
@@ -299,7 +294,8 @@ void EnvironmentDock::refreshForm()
     m_isFilling = true;
     m_form->setRowVisible(m_nameRow, hasAny);
     m_form->setRowVisible(m_positionRow, shownPlace != nullptr);
-    m_form->setRowVisible(m_sizeRow, shownPlace != nullptr);
+    m_form->setRowVisible(m_radius, shownPlace != nullptr);
+    m_form->setRowVisible(m_capacity, shownPlace != nullptr);
     m_form->setRowVisible(m_shapeRow, false);
     m_form->setRowVisible(m_role, shownPlace != nullptr);
     m_form->setRowVisible(m_speedShare,

@@ -23,7 +23,9 @@ namespace {
 constexpr int kUnfoldedPlaces = 8; ///< longer paths are folded at first
 constexpr int kRedrawMs = 30;
 constexpr int kTallyMs = 300;
-constexpr int kLeastHeight = 120; ///< half a dozen rows; what is left over is the tree's too
+/// Without need the tree takes no room from the form below it; what is left over is its own, too.
+constexpr int kLeastRows = 3;
+constexpr int kRowsAtOnce = 6;
 
 } // namespace
 
@@ -45,7 +47,6 @@ EnvironmentTree::EnvironmentTree(EditorState& state, QWidget* parent)
     setObjectName(QStringLiteral("environmentTree"));
     setUpOutline(*this);
     setSelectionMode(QAbstractItemView::ExtendedSelection);
-    setMinimumHeight(kLeastHeight);
     followScene();
     followSession();
     connect(&m_state.paths(), &PathFocus::changed, this, &EnvironmentTree::showSelection);
@@ -56,6 +57,8 @@ EnvironmentTree::EnvironmentTree(EditorState& state, QWidget* parent)
         }
     });
     connect(this, &QTreeWidget::customContextMenuRequested, this, &EnvironmentTree::showMenu);
+    connect(this, &QTreeWidget::itemExpanded, this, &EnvironmentTree::keepRowsInSight);
+    connect(this, &QTreeWidget::itemCollapsed, this, &EnvironmentTree::keepRowsInSight);
 }
 
 void EnvironmentTree::followScene()
@@ -131,10 +134,22 @@ void EnvironmentTree::rebuild()
                              : item.childCount() <= kUnfoldedPlaces || item.type() == KindItem);
     }
     m_isFilling = false;
+    keepRowsInSight();
     Q_EMIT rebuilt(); // whoever shows it may hide an empty one
     verticalScrollBar()->setValue(scrolled);
     showCounts();
     showSelection();
+}
+
+/// A few rows are seen whatever stands below them.
+void EnvironmentTree::keepRowsInSight()
+{
+    int rows = 0;
+    for (QTreeWidgetItemIterator it(this); *it != nullptr && rows < kRowsAtOnce; ++it) {
+        rows += (*it)->parent() == nullptr || (*it)->parent()->isExpanded() ? 1 : 0;
+    }
+    const int height = topLevelItemCount() > 0 ? sizeHintForRow(0) : fontMetrics().height();
+    setMinimumHeight(std::max(rows, kLeastRows) * height + 2 * frameWidth());
 }
 
 void EnvironmentTree::addPaths()

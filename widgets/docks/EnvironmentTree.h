@@ -60,6 +60,7 @@ private:
 
     void followScene();
     void followSession();
+    void keepRowsInSight();
     void addPaths();
     void addPlaces();
     static QTreeWidgetItem* addPlace(QTreeWidgetItem& parent, const model::Place& place);

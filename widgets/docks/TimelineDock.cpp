@@ -27,7 +27,7 @@ using model::Mark;
 
 namespace {
 
-constexpr int kSideWidth = 256; ///< logical pixels
+constexpr int kSideWidth = 240; ///< logical pixels
 constexpr int kGroupGap = 4;    ///< logical pixels
 constexpr int kMostFlaws = 4;
 constexpr std::array kFrameRates{0, 24, 25, 30, 60};

@@ -2,7 +2,8 @@
 #include "widgets/forms/StatureNote.h"
 
 #include <algorithm>
-#include <limits>
+#include <optional>
+#include <utility>
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
@@ -31,6 +32,36 @@ bool isCreated(const model::BrushSettings* brush, model::TemplateId id)
     });
 }
 
+/// Templates whose heights differ more than people do are told apart by name.
+constexpr float kUnlike = 2.0F;
+
+struct Stature
+{
+    const model::TemplateEntry* entry = nullptr;
+    float metres = 0.0F;
+};
+
+/// The lowest and the highest of those that come to the scene; none if there are none.
+std::optional<std::pair<Stature, Stature>> extremes(const model::FieldContext& context)
+{
+    std::optional<std::pair<Stature, Stature>> found;
+    if (context.scene == nullptr) {
+        return found;
+    }
+    for (const model::TemplateEntry& entry : context.scene->templates) {
+        if (!entry.asset || !isCreated(context.brush, entry.id) || !(entry.asset->height > 0.0F)) {
+            continue;
+        }
+        const Stature each{&entry, entry.asset->height};
+        if (!found) {
+            found.emplace(each, each);
+        }
+        found->first = each.metres < found->first.metres ? each : found->first;
+        found->second = each.metres > found->second.metres ? each : found->second;
+    }
+    return found;
+}
+
 QString metres(float value)
 {
     return QLocale().toString(static_cast<double>(value), 'f', 2);
@@ -40,21 +71,18 @@ QString metres(float value)
 
 QString statureText(const model::FieldContext& context, const model::ValueRange& share)
 {
-    float low = std::numeric_limits<float>::infinity();
-    float high = 0.0F;
-    if (context.scene != nullptr) {
-        for (const model::TemplateEntry& entry : context.scene->templates) {
-            if (entry.asset && isCreated(context.brush, entry.id)) {
-                low = std::min(low, entry.asset->height);
-                high = std::max(high, entry.asset->height);
-            }
-        }
-    }
-    if (!(low > 0.0F && low <= high)) {
+    const auto found = extremes(context);
+    if (!found) {
         return {};
     }
-    const QString from = metres(low * std::min(share.low, share.high));
-    const QString to = metres(high * std::max(share.low, share.high));
+    const auto& [low, high] = *found;
+    const QString from = metres(low.metres * std::min(share.low, share.high));
+    const QString to = metres(high.metres * std::max(share.low, share.high));
+    if (high.metres > kUnlike * low.metres) {
+        return StatureText::tr("%1 from %2 m\n%3 to %4 m")
+            .arg(QString::fromStdString(low.entry->name), from,
+                 QString::fromStdString(high.entry->name), to);
+    }
     return from == to ? StatureText::tr("%1 m tall").arg(from)
                       : StatureText::tr("%1 to %2 m tall").arg(from, to);
 }
@@ -65,6 +93,8 @@ void addStatureNote(FieldForm& form, const FieldForm::Bound& bound)
     note->setObjectName(QStringLiteral("stature"));
     note->setEnabled(false);
     note->setAlignment(Qt::AlignRight);
+    note->setWordWrap(true); // names may be long
+    note->setMinimumWidth(1);
     const auto text = [&form, bound] {
         return statureText(form.context(), form.valueOf<model::ValueRange>(bound));
     };

@@ -67,10 +67,10 @@ inline constexpr BrushInfo EnvironmentSettings::kInfo{
     .order = 110,
     .section = BrushSection::Way,
     .family = StrokeFamily::Places,
-    .note = QT_TRANSLATE_NOOP(
-        "Fields", "Each click puts one there. Lines and areas: each click adds a corner, a drag "
-                  "draws freely; Enter or a double click ends it, a click on the first corner "
-                  "closes it.")};
+    .note = QT_TRANSLATE_NOOP("Fields", "Each click puts one there."),
+    .cornersNote = QT_TRANSLATE_NOOP(
+        "Fields", "Each click adds a corner, a drag draws freely; Enter or a double click ends "
+                  "it, a click on the first corner closes it.")};
 
 inline constexpr FieldChoice kPathKinds[] = {
     {"simple", QT_TRANSLATE_NOOP("Fields", "Stop")},
