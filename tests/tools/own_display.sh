@@ -25,6 +25,9 @@ if ! read -r -t 60 number <"$place/display"; then
 fi
 export DISPLAY=":$number" LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb
 unset XAUTHORITY WAYLAND_DISPLAY
+# No message bus: Qt's thread would start one by a fork, in which the memory of a sanitizer may be locked
+# for ever.
+export DBUS_SESSION_BUS_ADDRESS=disabled:
 
 openbox --startup "sh -c 'echo ready >$place/managed'" >/dev/null 2>&1 &
 manager=$!
