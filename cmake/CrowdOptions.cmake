@@ -45,13 +45,13 @@ if(CROWD_SANITIZER STREQUAL "address")
     # A use of a null pointer, or of one that points beyond what it points into, is the address
     # sanitizer's too; checking the pointers themselves, and the alignment of each access, more than
     # doubles the time to compile.
-    set(checks -fsanitize=address,undefined -fno-sanitize-recover=undefined
+    set(CROWD_CHECKS -fsanitize=address,undefined -fno-sanitize-recover=undefined
         -fno-sanitize=null,alignment,object-size,pointer-overflow)
     # The tests say CROWD_UNCHECKED: what they call is checked, and they themselves compile in two
     # thirds of the time without.
     set(is_checked $<NOT:$<BOOL:$<TARGET_PROPERTY:CROWD_UNCHECKED>>>)
     target_compile_options(crowd_options INTERFACE
-        -fno-omit-frame-pointer "$<${is_checked}:${checks}>")
+        -fno-omit-frame-pointer "$<${is_checked}:${CROWD_CHECKS}>")
     target_link_options(crowd_options INTERFACE -fsanitize=address,undefined)
 elseif(CROWD_SANITIZER STREQUAL "thread")
     target_compile_options(crowd_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer)

@@ -75,3 +75,12 @@ set_target_properties(pack_ground PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_B
 target_link_libraries(pack_ground PRIVATE crowd_options draco::draco_static)
 crowd_define_for_test(model tst_GltfDraco CROWD_PACK_GROUND="$<TARGET_FILE:pack_ground>")
 add_dependencies(test_model pack_ground)
+
+# The address sanitizer's program has baking checked here, and nowhere else (see model/CMakeLists.txt):
+# these come in the place of the library's.
+if(CROWD_SANITIZER STREQUAL "address")
+    list(TRANSFORM CROWD_HOT_BAKING PREPEND "${CMAKE_SOURCE_DIR}/model/" OUTPUT_VARIABLE checked_baking)
+    target_sources(test_model PRIVATE ${checked_baking})
+    set_source_files_properties(${checked_baking} PROPERTIES
+        COMPILE_OPTIONS "${CROWD_CHECKS}" SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
+endif()
