@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -54,23 +57,26 @@ void readObjects(JsonFields& fields, const char* key, const std::string& place, 
 }
 
 /// Of an id that is 0 or given twice.
-[[nodiscard]] inline Message idProblem(const char* key, std::uint32_t id)
-{
-    return id == 0
-               ? Message(QT_TRANSLATE_NOOP("Messages", "%1: the id %2 is not allowed"), key, id)
-               : Message(QT_TRANSLATE_NOOP("Messages", "%1: the id %2 is given twice"), key, id);
-}
+[[nodiscard]] Message idProblem(const char* key, std::uint32_t id);
+/// Indices in the order of ids, of which none is 0 or given twice; else the problem says so.
+[[nodiscard]] std::vector<std::size_t> orderOfIds(const std::vector<std::uint32_t>& ids,
+                                                  const char* key, Message& problem);
 
 /// Entries ascend by id, which is neither 0 nor given twice.
 template<class Entry>
 void sortById(std::vector<Entry>& entries, const char* key, Message& problem)
 {
-    std::ranges::sort(entries, {}, &Entry::id);
-    for (std::size_t i = 0; i < entries.size() && problem.empty(); ++i) {
-        if (entries[i].id == 0 || (i > 0 && entries[i].id == entries[i - 1].id)) {
-            problem = idProblem(key, entries[i].id);
-        }
+    std::vector<std::uint32_t> ids; // not the entries: to sort each kind of them is much to compile
+    ids.reserve(entries.size());
+    for (const Entry& entry : entries) {
+        ids.push_back(entry.id);
     }
+    std::vector<Entry> ordered;
+    ordered.reserve(entries.size());
+    for (const std::size_t index : orderOfIds(ids, key, problem)) {
+        ordered.push_back(std::move(entries[index]));
+    }
+    entries = std::move(ordered);
 }
 
 } // namespace crowd::model
