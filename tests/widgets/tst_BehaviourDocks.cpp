@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <vector>
 
 #include <QtCore/QSettings>
@@ -6,6 +7,7 @@
 #include <QtCore/QTimer>
 #include <QtGui/QShortcut>
 #include <QtGui/QStandardItemModel>
+#include <QtTest/QSignalSpy>
 #include <QtWidgets/QAbstractSpinBox>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDoubleSpinBox>
@@ -79,6 +81,7 @@ private Q_SLOTS:
     void everyReadyMadeSetIsSound();
     void aRuleSaysWhatIsWrong();
     void aQueueWithoutAPathAsksForOne();
+    void aPathIsChosenForAllRulesThatWaitForIt();
     void whatIsNotChosenYetIsNotGone();
     void everyKindHasASentenceAndFields();
     void cuesAreButtonsAndKeys();
@@ -220,6 +223,39 @@ void TestBehaviourDocks::aQueueWithoutAPathAsksForOne()
         QVERIFY2(ruleProblem(scene, rule).contains(QStringLiteral("choose a p")),
                  qPrintable(ruleProblem(scene, rule)));
     }
+}
+
+/// Once, by its field in one of them; and taken back by one step.
+void TestBehaviourDocks::aPathIsChosenForAllRulesThatWaitForIt()
+{
+    Desk<RulesDock> desk;
+    QVERIFY(desk.isReady());
+    addBy(desk, "addRule", ruleSetName(model::RuleSet::Queue));
+    furnish(desk.document);
+    const auto openRules = [&desk] {
+        const model::Scene& scene = desk.document.scene();
+        return std::ranges::count_if(scene.rules, [&scene](const model::Rule& rule) {
+            return ruleProblem(scene, rule).contains(QStringLiteral("choose a p"));
+        });
+    };
+    QCOMPARE(openRules(), 3);
+    const auto pathField = [&desk]() -> QComboBox* {
+        for (QComboBox* field : desk.dock->findChildren<QComboBox*>()) {
+            if (field->isVisible() && field->findText(QStringLiteral("Path 1")) >= 0) {
+                return field;
+            }
+        }
+        return nullptr;
+    };
+    QTRY_VERIFY(pathField() != nullptr);
+    QSignalSpy said(&desk.state, &EditorState::statusMessage);
+    Q_EMIT pathField()->activated(pathField()->findText(QStringLiteral("Path 1")));
+    QCOMPARE(openRules(), 0);
+    const auto* served = desk.document.scene().rules[2].trigger.as<model::triggers::Arrived>();
+    QCOMPARE(served->place, desk.document.scene().paths[0].places.front());
+    QVERIFY2(said.last()[0].toString().contains(u'2'), qPrintable(said.last()[0].toString()));
+    desk.document.undoStack().undo();
+    QCOMPARE(openRules(), 3);
 }
 
 /// What is chosen first is asked for, not missed.

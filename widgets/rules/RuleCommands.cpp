@@ -9,6 +9,7 @@
 #include <QtWidgets/QToolButton>
 
 #include "model/document/SceneEdit.h"
+#include "model/rules/OpenChoices.h"
 #include "widgets/actions/OwnKeys.h"
 #include "widgets/rules/RuleNames.h"
 #include "widgets/state/ShownTake.h"
@@ -136,8 +137,15 @@ void RuleCommands::change(const Change& apply)
     if (found == rules.end()) {
         return;
     }
+    const Rule before = *found;
     apply(*found);
+    const Rule after = *found;
+    const int others = model::fillOpenChoices(rules, before, after, m_state.scene().paths);
     setRules(std::move(rules), tr("Change a rule"));
+    if (others > 0) {
+        m_state.showStatus(
+            tr("Chosen in %n other rule(s) too, where it was still open", nullptr, others));
+    }
 }
 
 void RuleCommands::reorder(std::span<const model::RuleId> order)
