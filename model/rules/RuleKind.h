@@ -19,13 +19,14 @@ namespace crowd::model {
 struct KindText
 {
     const char* key;          ///< in files and scripts
-    const char* name;         ///< in menus
+    const char* name;         ///< in menus, and in forms where it follows yes or no
     const char* doc = "";     ///< for the manual, English
     bool beginsGroup = false; ///< of the menu
     const char* yes = "";     ///< conditions: what stands before the name where it must hold
     const char* no = "";      ///< and where it must not
     bool hasParts = false;    ///< actions: deeper ones below it belong to it
     bool isWalk = false;      ///< actions: whoever does it may go somewhere
+    const char* alone = "";   ///< in a menu without yes or no before it; empty: as the name
 };
 
 /// One way of saying what a part of a rule is, with its fields' keys in braces where their values

@@ -122,7 +122,7 @@ void TestRuleEditing::whatIsAddedIsChosenFirst()
     desk.put(someRules(1));
     QTRY_COMPARE(desk.list()->count(), 1);
     desk.list()->setCurrentRow(0);
-    desk.choose("addCondition", QStringLiteral("seated"));
+    desk.choose("addCondition", QStringLiteral("is seated"));
     QCOMPARE(desk.rules()[0].conditions.size(), std::size_t{1});
     QVERIFY(desk.rules()[0].conditions[0].is<model::conditions::IsSeated>());
     QTRY_VERIFY(desk.dock->findChild<QToolButton*>(QStringLiteral("addAction")) != nullptr);

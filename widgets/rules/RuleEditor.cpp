@@ -156,7 +156,7 @@ void RuleEditor::addKindButton(QHBoxLayout* row, const char* name, const QString
     button->setAutoRaise(true);
     button->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(button);
-    const QStringList names = kindNames(kinds);
+    const QStringList names = kindNamesAlone(kinds);
     for (const std::vector<int>& group : groupsOf(kinds)) {
         if (!menu->isEmpty()) {
             menu->addSeparator();

@@ -30,6 +30,15 @@ QStringList kindNames(std::span<const RuleKind> kinds)
     return names;
 }
 
+QStringList kindNamesAlone(std::span<const RuleKind> kinds)
+{
+    QStringList names;
+    for (const RuleKind& kind : kinds) {
+        names << ruleText(*kind.text.alone != 0 ? kind.text.alone : kind.text.name);
+    }
+    return names;
+}
+
 QStringList meetingNames()
 {
     return {RuleNamesText::tr("interrupts what they do"),

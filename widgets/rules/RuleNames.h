@@ -15,6 +15,8 @@ namespace crowd::widgets {
 [[nodiscard]] QString ruleText(const char* text);
 /// As menus name the kinds, by index.
 [[nodiscard]] QStringList kindNames(std::span<const model::RuleKind> kinds);
+/// As a menu says them that adds one.
+[[nodiscard]] QStringList kindNamesAlone(std::span<const model::RuleKind> kinds);
 [[nodiscard]] QStringList meetingNames();  ///< by RuleMeeting
 [[nodiscard]] QStringList yieldNames();    ///< by RuleYield
 [[nodiscard]] QStringList cueReachNames(); ///< by CueReach

@@ -44,7 +44,7 @@ struct ScaleSettings
 
 inline constexpr BrushInfo ScaleSettings::kInfo{
     .id = "scale",
-    .name = QT_TRANSLATE_NOOP("Tools", "Scale Brush"),
+    .name = QT_TRANSLATE_NOOP("Tools", "Size Brush"),
     .menu = QT_TRANSLATE_NOOP("Actions", "Si&ze"),
     .tip = QT_TRANSLATE_NOOP("Actions", "Make the characters under the brush taller or stouter"),
     .shortcut = "H",

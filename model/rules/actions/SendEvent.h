@@ -71,7 +71,7 @@ struct SendEvent
                       "secondsPerMetre", 0.0, kMaxSeconds, 0.0, 60.0)),
             field(&SendEvent::value,
                   rulefields::value(
-                      {.label = QT_TRANSLATE_NOOP("Rules", "its number"),
+                      {.label = QT_TRANSLATE_NOOP("Rules", "with the number"),
                        .tip = QT_TRANSLATE_NOOP(
                            "Rules", "Rules that hear it can ask for it, or walk as fast"),
                        .doc = "the number that it carries"})));

@@ -11,7 +11,8 @@ struct FollowsPath
                                     .name = QT_TRANSLATE_NOOP("Rules", "walking path"),
                                     .doc = "Walks along a path.",
                                     .yes = QT_TRANSLATE_NOOP("Rules", "is"),
-                                    .no = QT_TRANSLATE_NOOP("Rules", "is not")};
+                                    .no = QT_TRANSLATE_NOOP("Rules", "is not"),
+                                    .alone = QT_TRANSLATE_NOOP("Rules", "walks along a path")};
 
     PathId path = 0; ///< 0: any
 

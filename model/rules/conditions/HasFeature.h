@@ -11,7 +11,9 @@ struct HasFeature
                                     .name = QT_TRANSLATE_NOOP("Rules", "of a feature"),
                                     .doc = "Bears a value of a feature.",
                                     .yes = QT_TRANSLATE_NOOP("Rules", "is"),
-                                    .no = QT_TRANSLATE_NOOP("Rules", "is not")};
+                                    .no = QT_TRANSLATE_NOOP("Rules", "is not"),
+                                    .alone =
+                                        QT_TRANSLATE_NOOP("Rules", "has a choice of a feature")};
 
     std::uint32_t feature = 0;
 

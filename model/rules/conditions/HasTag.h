@@ -11,7 +11,8 @@ struct HasTag
                                     .name = QT_TRANSLATE_NOOP("Rules", "tagged"),
                                     .doc = "Has a tag.",
                                     .yes = QT_TRANSLATE_NOOP("Rules", "is"),
-                                    .no = QT_TRANSLATE_NOOP("Rules", "is not")};
+                                    .no = QT_TRANSLATE_NOOP("Rules", "is not"),
+                                    .alone = QT_TRANSLATE_NOOP("Rules", "has a tag")};
 
     std::uint8_t tag = 0;
 

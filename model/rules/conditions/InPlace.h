@@ -11,7 +11,8 @@ struct InPlace
                                     .name = QT_TRANSLATE_NOOP("Rules", "inside place"),
                                     .doc = "Is in a place's circle.",
                                     .yes = QT_TRANSLATE_NOOP("Rules", "is"),
-                                    .no = QT_TRANSLATE_NOOP("Rules", "is not")};
+                                    .no = QT_TRANSLATE_NOOP("Rules", "is not"),
+                                    .alone = QT_TRANSLATE_NOOP("Rules", "is inside a place")};
 
     PlaceId place = 0;
 

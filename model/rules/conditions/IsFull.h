@@ -11,7 +11,8 @@ struct IsFull
                                     .name = QT_TRANSLATE_NOOP("Rules", "full: the place"),
                                     .doc = "A place has no room left.",
                                     .yes = QT_TRANSLATE_NOOP("Rules", "is"),
-                                    .no = QT_TRANSLATE_NOOP("Rules", "is not")};
+                                    .no = QT_TRANSLATE_NOOP("Rules", "is not"),
+                                    .alone = QT_TRANSLATE_NOOP("Rules", "a place is full")};
 
     PlaceId place = 0;
 

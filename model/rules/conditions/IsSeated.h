@@ -11,7 +11,8 @@ struct IsSeated
                                     .name = QT_TRANSLATE_NOOP("Rules", "seated"),
                                     .doc = "Sits on a seat.",
                                     .yes = QT_TRANSLATE_NOOP("Rules", "is"),
-                                    .no = QT_TRANSLATE_NOOP("Rules", "is not")};
+                                    .no = QT_TRANSLATE_NOOP("Rules", "is not"),
+                                    .alone = QT_TRANSLATE_NOOP("Rules", "is seated")};
 
     static constexpr auto fields() { return std::tuple(); }
     static constexpr auto sentences()

@@ -11,7 +11,8 @@ struct Number
                                     .name = QT_TRANSLATE_NOOP("Rules", "own number"),
                                     .doc = "An artist's number of his, compared.",
                                     .yes = QT_TRANSLATE_NOOP("Rules", "is"),
-                                    .no = QT_TRANSLATE_NOOP("Rules", "is not")};
+                                    .no = QT_TRANSLATE_NOOP("Rules", "is not"),
+                                    .alone = QT_TRANSLATE_NOOP("Rules", "their own number is…")};
 
     NumberId number = 0;
     Comparison comparison = Comparison::More;

@@ -11,7 +11,8 @@ struct OfTemplate
                                     .name = QT_TRANSLATE_NOOP("Rules", "of template"),
                                     .doc = "Is made from a template.",
                                     .yes = QT_TRANSLATE_NOOP("Rules", "is"),
-                                    .no = QT_TRANSLATE_NOOP("Rules", "is not")};
+                                    .no = QT_TRANSLATE_NOOP("Rules", "is not"),
+                                    .alone = QT_TRANSLATE_NOOP("Rules", "is of a template")};
 
     TemplateId templateId = 0;
 

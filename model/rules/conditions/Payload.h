@@ -11,7 +11,8 @@ struct Payload
                                     .name = QT_TRANSLATE_NOOP("Rules", "event’s number"),
                                     .doc = "The number that the event carries, compared.",
                                     .yes = QT_TRANSLATE_NOOP("Rules", "is"),
-                                    .no = QT_TRANSLATE_NOOP("Rules", "is not")};
+                                    .no = QT_TRANSLATE_NOOP("Rules", "is not"),
+                                    .alone = QT_TRANSLATE_NOOP("Rules", "the event’s number is…")};
 
     Comparison comparison = Comparison::More;
     float value = 0.0F;

@@ -7,11 +7,13 @@ namespace crowd::model::conditions {
 
 struct PeopleIn
 {
-    static constexpr KindText kText{.key = "people in",
-                                    .name = QT_TRANSLATE_NOOP("Rules", "number of characters in"),
-                                    .doc = "How many are in a place, compared.",
-                                    .yes = QT_TRANSLATE_NOOP("Rules", "is"),
-                                    .no = QT_TRANSLATE_NOOP("Rules", "is not")};
+    static constexpr KindText kText{
+        .key = "people in",
+        .name = QT_TRANSLATE_NOOP("Rules", "number of characters in"),
+        .doc = "How many are in a place, compared.",
+        .yes = QT_TRANSLATE_NOOP("Rules", "is"),
+        .no = QT_TRANSLATE_NOOP("Rules", "is not"),
+        .alone = QT_TRANSLATE_NOOP("Rules", "the number of characters in a place is…")};
 
     PlaceId place = 0;
     Comparison comparison = Comparison::More;

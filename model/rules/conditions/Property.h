@@ -31,7 +31,9 @@ struct Property
                                     .name = QT_TRANSLATE_NOOP("Rules", "property"),
                                     .doc = "A property of his, compared.",
                                     .yes = QT_TRANSLATE_NOOP("Rules", "is"),
-                                    .no = QT_TRANSLATE_NOOP("Rules", "is not")};
+                                    .no = QT_TRANSLATE_NOOP("Rules", "is not"),
+                                    .alone =
+                                        QT_TRANSLATE_NOOP("Rules", "one of their properties is…")};
 
     ComparedProperty property = ComparedProperty::Height;
     std::string clip{}; ///< Clip

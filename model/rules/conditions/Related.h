@@ -7,12 +7,14 @@ namespace crowd::model::conditions {
 
 struct Related
 {
-    static constexpr KindText kText{.key = "related",
-                                    .name = QT_TRANSLATE_NOOP("Rules", "number of those related"),
-                                    .doc = "How many are related to him, whichever way, and have "
-                                           "not left, compared.",
-                                    .yes = QT_TRANSLATE_NOOP("Rules", "is"),
-                                    .no = QT_TRANSLATE_NOOP("Rules", "is not")};
+    static constexpr KindText kText{
+        .key = "related",
+        .name = QT_TRANSLATE_NOOP("Rules", "number of those related"),
+        .doc = "How many are related to him, whichever way, and have "
+               "not left, compared.",
+        .yes = QT_TRANSLATE_NOOP("Rules", "is"),
+        .no = QT_TRANSLATE_NOOP("Rules", "is not"),
+        .alone = QT_TRANSLATE_NOOP("Rules", "the number of those related is…")};
 
     std::uint32_t relation = 0; ///< RelationKindId, 0: any
     Comparison comparison = Comparison::More;

@@ -11,7 +11,8 @@ struct Speed
                                     .name = QT_TRANSLATE_NOOP("Rules", "speed"),
                                     .doc = "How fast he goes over the ground, m/s, compared.",
                                     .yes = QT_TRANSLATE_NOOP("Rules", "is"),
-                                    .no = QT_TRANSLATE_NOOP("Rules", "is not")};
+                                    .no = QT_TRANSLATE_NOOP("Rules", "is not"),
+                                    .alone = QT_TRANSLATE_NOOP("Rules", "their speed is…")};
 
     Comparison comparison = Comparison::More;
     float value = 0.0F;
