@@ -8,11 +8,17 @@
 
 namespace crowd::model {
 
-StateDifference differenceFrom(const State& state, const Scene& scene)
+StateDifference differenceFrom(const State& state, const Scene& scene, const ColumnSet& without)
 {
     Scene recalled = scene;
     StateDifference difference;
-    difference.ids = recallState(recalled, state, state.columns, nullptr).changed;
+    ColumnSet compared;
+    state.columns.forEach([&](ColumnId column) {
+        if (!without.contains(column)) {
+            compared.insert(column);
+        }
+    });
+    difference.ids = recallState(recalled, state, compared, nullptr).changed;
     for (const PropertyAspectInfo& aspect : propertyAspects()) {
         std::vector<bool> differs(scene.population.size());
         columnsOf(aspect.aspect).forEach([&](ColumnId column) {

@@ -20,7 +20,9 @@ struct StateDifference
     std::vector<IndividualId> ids; ///< who differ at all, ascending
 };
 
-/// What recalling the state would change of a scene, in properties that it holds.
-[[nodiscard]] StateDifference differenceFrom(const State& state, const Scene& scene);
+/// What recalling the state would change of a scene, in properties that it holds, but for those
+/// `without`.
+[[nodiscard]] StateDifference differenceFrom(const State& state, const Scene& scene,
+                                             const ColumnSet& without = {});
 
 } // namespace crowd::model

@@ -5,6 +5,7 @@
 
 #include "model/base/Random.h"
 #include "model/project/ProjectReader.h"
+#include "model/states/StateDifference.h"
 #include "tests/model/LivelyBrush.h"
 #include "tests/model/ProjectText.h"
 #include "tests/program/Test.h"
@@ -105,6 +106,7 @@ class tst_States : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void whatRunsIsNotCompared();
     void recallEqualsWhatWasKept();
     void whoAndWhereAreLeftOut();
     void someOfItForSomeOfThem();
@@ -120,6 +122,19 @@ private Q_SLOTS:
     void filesAreRefusedWithThePlace_data();
     void filesAreRefusedWithThePlace();
 };
+
+/// How far somebody is in his clip, while clips run.
+void tst_States::whatRunsIsNotCompared()
+{
+    StatesScene scene;
+    const State calm = scene.keep("calm");
+    scene.put(columns::phase, scene.ids, 0.875F);
+    const auto all = differenceFrom(calm, scene.document.scene());
+    QCOMPARE(all.aspects.size(), std::size_t{1});
+    QVERIFY(all.aspects.front().aspect == PropertyAspect::Animation);
+    const auto without = differenceFrom(calm, scene.document.scene(), {ColumnId::Phase});
+    QVERIFY(without.aspects.empty() && without.ids.empty());
+}
 
 void tst_States::recallEqualsWhatWasKept()
 {

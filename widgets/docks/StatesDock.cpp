@@ -174,7 +174,11 @@ void StatesDock::refreshDifference()
     const bool isSeen = found != states.end() && isVisible();
     model::StateDifference difference;
     if (isSeen) {
-        difference = differenceFrom(*found, m_state.session().shownScene());
+        // How far somebody is in his clip is no property of his while clips run.
+        const model::ColumnSet running = m_state.session().isPosed()
+                                             ? model::ColumnSet{model::ColumnId::Phase}
+                                             : model::ColumnSet{};
+        difference = differenceFrom(*found, m_state.session().shownScene(), running);
     }
     QStringList parts;
     for (const auto& each : difference.aspects) {
