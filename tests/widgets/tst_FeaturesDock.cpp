@@ -187,6 +187,9 @@ void TestFeaturesDock::theBrushPaintsTheChosenValue()
     QCOMPARE(painted->kind, std::string("emotion"));
     QCOMPARE(painted->values.size(), std::size_t{1});
     QCOMPARE(painted->values.front().clip, std::string("sad"));
+    desk.choose("angry"); // while the brush is in hand
+    QCOMPARE(desk.state.activeBrush()->as<model::FeatureSettings>().values.front().clip,
+             std::string("angry"));
     desk.kinds()->setCurrentIndex(1);
     desk.choose("team red");
     desk.press(QStringLiteral("paintFeature"));

@@ -3,6 +3,7 @@
 
 #include <QtTest/QTest>
 
+#include "model/document/GroupEdits.h"
 #include "model/document/SceneEdit.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Hand.h"
@@ -24,6 +25,7 @@ private Q_SLOTS:
     void severalTagsShareARing();
     void ringsFollowWhoWalks();
     void tagsOfManyAreCheap();
+    void ringsTellOfGroupsAndFeatures();
     void aCursorCarriesTheBrush();
     void aLargeBrushIsNoCursor();
 
@@ -114,6 +116,37 @@ void TestPeopleMarks::tagsOfManyAreCheap()
     marks.make(hand.state, frame);
     QCOMPARE(marks.markers().size(), std::size_t{10'000});
     QCOMPARE(marks.legend().size(), std::size_t{1});
+}
+
+/// While their brushes are in hand.
+void TestPeopleMarks::ringsTellOfGroupsAndFeatures()
+{
+    Hand hand;
+    hand.drag(kCenter, kCenter + QPointF(80.0, 0.0));
+    const std::array<model::IndividualId, 1> ids{hand.document.scene().population.ids()[0]};
+    const model::FeatureKind& kind = hand.document.scene().features.front();
+    const model::FeatureValue value = kind.values.back();
+    hand.document.edit(QStringLiteral("Group and feature"), [&](model::SceneEdit& edit) {
+        model::Group group;
+        group.name = "choir";
+        group.color = {1, 2, 3};
+        model::putInGroup(edit, ids, model::addGroup(edit, group));
+        edit.setColumn(model::columns::feature(kind.id), ids,
+                       std::span<const model::FeatureId>(&value.id, 1));
+    });
+    PeopleMarks marks;
+    hand.state.setTool(ToolId::BrushColour);
+    marks.make(hand.state, *hand.state.frame());
+    QVERIFY(marks.markers().empty());
+    hand.state.setTool(ToolId::BrushGroup);
+    marks.make(hand.state, *hand.state.frame());
+    QCOMPARE(marks.markers().size(), std::size_t{1});
+    QCOMPARE(marks.legend().front().name, QStringLiteral("choir"));
+    QCOMPARE(marks.legend().front().color, QColor(1, 2, 3));
+    hand.state.setTool(ToolId::BrushFeature);
+    marks.make(hand.state, *hand.state.frame());
+    QCOMPARE(marks.markers().size(), std::size_t{1});
+    QCOMPARE(marks.legend().front().color, QColor(value.color[0], value.color[1], value.color[2]));
 }
 
 void TestPeopleMarks::aCursorCarriesTheBrush()

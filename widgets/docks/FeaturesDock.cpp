@@ -211,12 +211,28 @@ void FeaturesDock::followBrush()
     }
 }
 
+/// A brush in hand that paints one value of the feature paints the one that is chosen now.
+void FeaturesDock::leadBrush()
+{
+    const model::BrushSettings* brush = m_state.activeBrush();
+    const model::FeatureSettings* settings = brush != nullptr ? featureSettings(*brush) : nullptr;
+    const model::FeatureKind* shown = kind();
+    const model::FeatureValue* value = findFeature(m_state.scene().features, chosenId());
+    const bool isLed = settings != nullptr && shown != nullptr && value != nullptr &&
+                       settings->kind == shown->name && !settings->takesOff &&
+                       settings->values.size() == 1;
+    if (isLed && settings->values.front().clip != value->name) {
+        paintFeature(m_state, value->id);
+    }
+}
+
 void FeaturesDock::connectList()
 {
     connect(m_values, &QListWidget::currentRowChanged, this, [this] {
         if (!m_isFilling) {
             keepChange();
             showValue();
+            leadBrush();
         }
     });
     connect(m_values, &QListWidget::customContextMenuRequested, this, &FeaturesDock::showMenu);

@@ -40,6 +40,7 @@ private:
     void connectParts();
     void connectList();
     void followBrush();
+    void leadBrush();
     void follow(const model::SceneChange& change);
     void fill();
     void fillValues();

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <string_view>
 
+#include "model/brush/FeatureBrush.h"
 #include "widgets/state/BrushTexts.h"
+#include "widgets/state/FeatureTexts.h"
 
 namespace crowd::widgets {
 
@@ -48,6 +51,82 @@ void PeopleMarks::addRing(const glm::vec3& position, std::uint64_t tags,
     }
 }
 
+void PeopleMarks::addTags(const EditorState& state, const model::CrowdFrame& frame)
+{
+    const model::Population& people = frame.population;
+    const auto positions = people.column(model::columns::position);
+    std::array<glm::vec4, kTags> colors{};
+    for (std::size_t bit = 0; bit < kTags; ++bit) {
+        colors[bit] = ringColor(tagColor(state.scene(), static_cast<int>(bit)));
+    }
+    std::uint64_t worn = 0;
+    const auto tags = people.column(model::columns::tags);
+    const auto groups = people.column(model::columns::group);
+    for (std::size_t row = 0; row < people.size(); ++row) {
+        if (tags[row] != 0 && !model::isAmong(frame.hiddenGroups, groups[row])) {
+            addRing(positions[row], tags[row], colors);
+            worn |= tags[row];
+        }
+    }
+    for (; worn != 0; worn &= worn - 1) {
+        const int bit = std::countr_zero(worn);
+        m_legend.push_back({tagText(state.scene(), bit), tagColor(state.scene(), bit)});
+    }
+}
+
+/// A ring for each whose entry of `worn` is the id of a label, in its colour.
+template<class Id>
+void PeopleMarks::addRings(const model::CrowdFrame& frame, std::span<const Id> worn,
+                           std::span<const RingLabel> labels)
+{
+    const auto positions = frame.population.column(model::columns::position);
+    const auto groups = frame.population.column(model::columns::group);
+    std::vector<bool> isSeen(labels.size());
+    for (std::size_t row = 0; row < worn.size(); ++row) {
+        if (worn[row] == 0 || model::isAmong(frame.hiddenGroups, groups[row])) {
+            continue;
+        }
+        const auto label = std::ranges::find(labels, std::uint32_t{worn[row]}, &RingLabel::id);
+        if (label != labels.end()) {
+            const auto& [red, green, blue] = label->color;
+            render::Marker ring{positions[row], kRingRadius, ringColor(QColor(red, green, blue))};
+            ring.innerShare = kRingInner;
+            ring.leastPixels = kLeastPixels;
+            m_markers.push_back(ring);
+            isSeen[static_cast<std::size_t>(label - labels.begin())] = true;
+        }
+    }
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        if (isSeen[i]) {
+            const auto& [red, green, blue] = labels[i].color;
+            m_legend.push_back({labels[i].name, QColor(red, green, blue)});
+        }
+    }
+}
+
+void PeopleMarks::addOfBrush(const EditorState& state, const model::CrowdFrame& frame)
+{
+    const model::BrushSettings* brush = state.activeBrush();
+    const model::FeatureSettings* settings =
+        brush != nullptr ? model::featureSettings(*brush) : nullptr;
+    std::vector<RingLabel> labels;
+    if (brush != nullptr && brush->kind() == model::BrushKind::Group) {
+        for (const model::Group& group : state.scene().groups) {
+            labels.push_back({group.id, QString::fromStdString(group.name), group.color});
+        }
+        addRings(frame, frame.population.column(model::columns::group), labels);
+    } else if (settings != nullptr) {
+        const model::FeatureKind* kind =
+            model::findKind(state.scene().features, std::string_view(settings->kind));
+        if (kind != nullptr) {
+            for (const model::FeatureValue& value : kind->values) {
+                labels.push_back({value.id, featureText(value.name), value.color});
+            }
+            addRings(frame, frame.population.column(model::columns::feature(kind->id)), labels);
+        }
+    }
+}
+
 void PeopleMarks::make(const EditorState& state, const model::CrowdFrame& frame)
 {
     m_markers.clear();
@@ -55,24 +134,9 @@ void PeopleMarks::make(const EditorState& state, const model::CrowdFrame& frame)
     const model::Population& people = frame.population;
     const auto positions = people.column(model::columns::position);
     if (showsTags(state)) {
-        std::array<glm::vec4, kTags> colors{};
-        for (std::size_t bit = 0; bit < kTags; ++bit) {
-            colors[bit] = ringColor(tagColor(state.scene(), static_cast<int>(bit)));
-        }
-        std::uint64_t worn = 0;
-        const auto tags = people.column(model::columns::tags);
-        const auto groups = people.column(model::columns::group);
-        for (std::size_t row = 0; row < people.size(); ++row) {
-            if (tags[row] != 0 && !model::isAmong(frame.hiddenGroups, groups[row])) {
-                addRing(positions[row], tags[row], colors);
-                worn |= tags[row];
-            }
-        }
-        for (; worn != 0; worn &= worn - 1) {
-            const int bit = std::countr_zero(worn);
-            m_legend.push_back({tagText(state.scene(), bit), tagColor(state.scene(), bit)});
-        }
+        addTags(state, frame);
     }
+    addOfBrush(state, frame);
     for (const model::IndividualId id : state.session().lit()) {
         const std::size_t row = people.rowOf(id);
         if (row != model::Population::npos) {

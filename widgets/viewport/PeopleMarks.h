@@ -19,11 +19,20 @@ struct TagLabel
     friend bool operator==(const TagLabel&, const TagLabel&) = default;
 };
 
+/// What a ring under somebody tells: of his group or of a value that he bears.
+struct RingLabel
+{
+    std::uint32_t id = 0;
+    QString name;
+    model::PaintColor color{};
+};
+
 /// Whether tags are seen: as the view is set, and always while a brush works on them.
 [[nodiscard]] bool showsTags(const EditorState& state);
 
 /// What is drawn under people, of a frame: a ring in the colours of their tags, shared evenly by
-/// several, and a disc where a rule has just fired.
+/// several; one of their group, or of the value that they bear, while a brush works on those; and a
+/// disc where a rule has just fired.
 class PeopleMarks
 {
 public:
@@ -34,7 +43,12 @@ public:
     [[nodiscard]] const std::vector<TagLabel>& legend() const { return m_legend; }
 
 private:
+    void addTags(const EditorState& state, const model::CrowdFrame& frame);
     void addRing(const glm::vec3& position, std::uint64_t tags, std::span<const glm::vec4> colors);
+    template<class Id>
+    void addRings(const model::CrowdFrame& frame, std::span<const Id> worn,
+                  std::span<const RingLabel> labels);
+    void addOfBrush(const EditorState& state, const model::CrowdFrame& frame);
 
     std::vector<render::Marker> m_markers;
     std::vector<TagLabel> m_legend;
