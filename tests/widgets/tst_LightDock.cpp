@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <QtCore/QTimer>
 #include <QtTest/QTest>
+#include <QtWidgets/QColorDialog>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QListWidget>
@@ -62,6 +64,7 @@ private Q_SLOTS:
     void listsLightsAndShowsTheChosenOne();
     void theListSwitchesAndRenames();
     void aDragOfALightIsOneStep();
+    void coloursAreSeenBeforeTheyAreChosen();
     void takesWhoeverIsSelected();
     void followsWhoIsClicked();
     void groupsCanBeChosenWhenTheyCome();
@@ -227,6 +230,37 @@ void TestLightDock::aDragOfALightIsOneStep()
     QCOMPARE(desk.steps(), before + 1);
     desk.document.undoStack().undo();
     QCOMPARE(desk.lights().front().strength, 1.0F);
+}
+
+/// What is looked at in the dialog is seen in the picture; one step if it is chosen, none else.
+void TestLightDock::coloursAreSeenBeforeTheyAreChosen()
+{
+    LightDesk desk;
+    addLight(desk.state, model::LightKind::Spot, {});
+    QTRY_VERIFY(desk.form("lampForm")->isVisible());
+    QToolButton* button = nullptr;
+    for (auto* each : desk.form("lampForm")->findChildren<QToolButton*>()) {
+        button = each->accessibleName() == QLatin1String("Colour") ? each : button;
+    }
+    QVERIFY(button != nullptr);
+    const int before = desk.steps();
+    const auto color = desk.lights().front().color;
+    for (const bool isChosen : {false, true}) {
+        bool isSeen = false;
+        QTimer::singleShot(0, &desk.window, [&] {
+            auto* dialog = desk.window.findChild<QColorDialog*>();
+            QVERIFY(dialog != nullptr);
+            dialog->setCurrentColor(Qt::blue);
+            isSeen = desk.lights().front().color != color;
+            isChosen ? dialog->accept() : dialog->reject();
+        });
+        button->click();
+        QVERIFY(isSeen);
+        QCOMPARE(desk.lights().front().color != color, isChosen);
+        QCOMPARE(desk.steps(), before + (isChosen ? 1 : 0));
+    }
+    desk.document.undoStack().undo();
+    QVERIFY(desk.lights().front().color == color);
 }
 
 void TestLightDock::takesWhoeverIsSelected()

@@ -328,7 +328,8 @@ void LightDock::changeLight(const std::function<void(void*)>& apply)
 
 void LightDock::put(const model::Lighting& light)
 {
-    if (!m_edit.put(tr("Change light"), [&](model::SceneEdit& edit) { edit.setLighting(light); })) {
+    if (!m_edit.put(tr("Change sun, sky or air"),
+                    [&](model::SceneEdit& edit) { edit.setLighting(light); })) {
         m_sunForm->refresh();
     }
 }

@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 
+#include <QtCore/QPointer>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QColorDialog>
 #include <QtWidgets/QComboBox>
@@ -188,6 +189,30 @@ void addRange(FieldForm& form, const Bound& bound)
     }
 }
 
+/// What is looked at in the dialog is seen in the scene, where that is one step with what is
+/// chosen.
+void chooseColour(FieldForm& form, const QString& label, const std::function<QColor()>& get,
+                  const std::function<void(const QColor&)>& set)
+{
+    const QColor before = get();
+    QColorDialog dialog(before, form.window()); // the form may be made anew meanwhile
+    dialog.setWindowTitle(label);
+    dialog.setOption(QColorDialog::DontUseNativeDialog);
+    Q_EMIT form.held(true);
+    if (form.isHeldTogether()) {
+        QObject::connect(&dialog, &QColorDialog::currentColorChanged, &form, set);
+    }
+    const QPointer<FieldForm> stillThere(&form);
+    const bool isChosen = dialog.exec() == QDialog::Accepted;
+    if (!stillThere) {
+        return;
+    }
+    if (isChosen || form.isHeldTogether()) {
+        set(isChosen ? dialog.selectedColor() : before);
+    }
+    Q_EMIT form.held(false);
+}
+
 /// Opens the dialog of colours; `get` and `set` are of the field.
 void addColourButton(FieldForm& form, const Bound& bound, const std::function<QColor()>& get,
                      const std::function<void(const QColor&)>& set)
@@ -196,13 +221,8 @@ void addColourButton(FieldForm& form, const Bound& bound, const std::function<QC
     const QString label = labelOf(bound);
     button->setAccessibleName(label);
     button->setToolTip(tipTextOf(bound));
-    QObject::connect(button, &QToolButton::clicked, &form, [&form, label, get, set] {
-        const QColor chosen =
-            QColorDialog::getColor(get(), &form, label, QColorDialog::DontUseNativeDialog);
-        if (chosen.isValid()) {
-            set(chosen);
-        }
-    });
+    QObject::connect(button, &QToolButton::clicked, &form,
+                     [&form, label, get, set] { chooseColour(form, label, get, set); });
     form.addLabelled(
         label, button,
         [button, get] {

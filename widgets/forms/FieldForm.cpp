@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <QtCore/QMetaMethod>
 #include <QtCore/QSettings>
 #include <QtCore/QTimer>
 #include <QtWidgets/QComboBox>
@@ -269,6 +270,11 @@ std::vector<FieldForm::Setting> FieldForm::settings() const
         }
     }
     return all;
+}
+
+bool FieldForm::isHeldTogether() const
+{
+    return isSignalConnected(QMetaMethod::fromSignal(&FieldForm::held));
 }
 
 void FieldForm::reveal(QWidget& row)

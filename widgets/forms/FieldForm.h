@@ -70,6 +70,8 @@ public:
         QWidget* row; ///< child; goes when the form is made anew
     };
     [[nodiscard]] std::vector<Setting> settings() const;
+    /// Whether what is set while something is held() becomes one change: somebody sees to it.
+    [[nodiscard]] bool isHeldTogether() const;
     /// Unfolds and scrolls to a control, marks it for a moment and gives it the keyboard.
     void reveal(QWidget& row);
 
