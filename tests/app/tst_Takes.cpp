@@ -183,7 +183,9 @@ void TestTakes::itPlaysToItsEndAndFromItsBeginning()
 {
     play();
     keep();
+    transport().setSeconds(takes().front().end);
     press(Qt::Key_N);
+    QCOMPARE(transport().seconds(), takes().front().begin); // from where it can be played
     const double end = takes().front().end;
     transport().setSpeed(8.0);
     transport().setSeconds(end - 0.5);

@@ -83,7 +83,7 @@ QWidget* TakesDock::buttons()
     };
     m_keep = add("take-add", tr("Keep what has been played as a take"), "keepTake");
     connect(m_keep, &QToolButton::clicked, this, [this] { keepTake(m_state); });
-    m_show = add("play", tr("Show the chosen one"), "showTake");
+    m_show = add("eye", tr("Show the chosen one"), "showTake");
     connect(m_show, &QToolButton::clicked, this, &TakesDock::showChosen);
     m_ghost = add("ghost",
                   tr("See the chosen take as ghosts beside what is shown, with how far apart "
@@ -170,7 +170,7 @@ void TakesDock::addRow(const QString& text, const QString& tip, model::TakeId id
     font.setBold(isShown);
     item->setFont(font);
     const bool isGhost = id != 0 && id == m_state.takes().ghost();
-    item->setIcon(isShown ? iconNamed("play") : isGhost ? iconNamed("ghost") : noIcon());
+    item->setIcon(isShown ? iconNamed("eye") : isGhost ? iconNamed("ghost") : noIcon());
     if (id != 0) {
         item->setFlags(item->flags() | Qt::ItemIsEditable);
     }

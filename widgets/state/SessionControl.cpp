@@ -439,7 +439,11 @@ void SessionControl::showTake(const model::Take* take)
             m_startSeconds = m_take->first();
             m_stepsPerSecond = m_document.scene().stepsPerSecond;
             const double seconds = m_transport.seconds();
-            m_transport.setSeconds(std::clamp(seconds, m_take->first(), m_take->last()));
+            const bool isWithin = seconds >= m_take->first() && seconds < m_take->last();
+            // From its beginning it can be played; out of another one the moment stays.
+            m_transport.setSeconds(isWithin   ? seconds
+                                   : wasShown ? std::clamp(seconds, m_take->first(), m_take->last())
+                                              : m_take->first());
             m_liveSeconds = m_take->last();
         } else {
             m_takeProblem = opened.error().said;
