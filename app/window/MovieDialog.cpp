@@ -30,6 +30,7 @@ constexpr double kRates[] = {24.0, 25.0, 30.0, 50.0, 60.0};
 constexpr double kUsualRate = 30.0;
 constexpr double kUsualSeconds = 10.0;
 constexpr double kMostSeconds = 36000.0;
+constexpr int kMovieStep = 2; ///< pixels: encoders want even numbers of rows and columns
 
 QDoubleSpinBox* secondsField(const char* name, QWidget* parent)
 {
@@ -52,8 +53,8 @@ MovieDialog::MovieDialog(const Offer& offer, QWidget* parent)
     : QDialog(parent), m_offer(offer), m_sources(new QComboBox(this)),
       m_from(secondsField("movieFrom", this)), m_to(secondsField("movieTo", this)),
       m_rates(new QComboBox(this)), m_count(new QLabel(this)),
-      m_size(new PictureSizeFields(offer.view, kMostMoviePixelsASide, QStringLiteral("movie/size"),
-                                   this)),
+      m_size(new PictureSizeFields(offer.view, kMostMoviePixelsASide, kMovieStep,
+                                   QStringLiteral("movie/size"), this)),
       m_cameras(new QComboBox(this)),
       m_passes(new PassFields(QStringLiteral("movie/passes"), this)),
       m_transparent(new QCheckBox(tr("Transparent background"), this))
@@ -91,7 +92,7 @@ void MovieDialog::addSource(QFormLayout& form)
     if (m_offer.run) {
         m_sources->addItem(tr("What has been played"), true);
     }
-    m_sources->addItem(tr("The scene from its beginning"), false);
+    m_sources->addItem(tr("The scene as it plays by itself"), false);
     m_sources->setToolTip(tr("What has been played, with all that was sent, called and recalled "
                              "meanwhile; or the scene as it plays if nobody touches it"));
     auto* times = new QHBoxLayout;

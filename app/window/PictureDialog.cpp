@@ -26,8 +26,8 @@ const QString kPictureTransparent = QStringLiteral("picture/transparent");
 
 PictureDialog::PictureDialog(glm::ivec2 view, const model::Camera& camera,
                              std::optional<double> selectedDepth, QWidget* parent)
-    : QDialog(parent),
-      m_size(new PictureSizeFields(view, kMostPixelsASide, QStringLiteral("picture/size"), this)),
+    : QDialog(parent), m_size(new PictureSizeFields(view, kMostPixelsASide, 1,
+                                                    QStringLiteral("picture/size"), this)),
       m_transparent(new QCheckBox(this)), m_hasLens(new QCheckBox(this)),
       m_focuses(new QComboBox(this)), m_focus(new QDoubleSpinBox(this)),
       m_fStop(new QDoubleSpinBox(this)),

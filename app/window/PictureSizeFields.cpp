@@ -25,14 +25,14 @@ QSpinBox* pixelField(const char* name, int most, QWidget* parent)
 
 } // namespace
 
-PictureSizeFields::PictureSizeFields(glm::ivec2 view, int mostPixelsASide,
+PictureSizeFields::PictureSizeFields(glm::ivec2 view, int mostPixelsASide, int step,
                                      const QString& settingsKey, QWidget* parent)
-    : QWidget(parent), m_settingsKey(settingsKey), m_sizes(new QComboBox(this)),
+    : QWidget(parent), m_step(step), m_settingsKey(settingsKey), m_sizes(new QComboBox(this)),
       m_width(pixelField("pictureWidth", mostPixelsASide, this)),
       m_height(pixelField("pictureHeight", mostPixelsASide, this))
 {
     m_sizes->setObjectName(QStringLiteral("pictureSizes"));
-    m_sizes->addItem(tr("As in the window"), QSize(view.x, view.y));
+    m_sizes->addItem(tr("As in the window"), QSize(view.x - view.x % step, view.y - view.y % step));
     m_sizes->addItem(tr("Full HD"), QSize(1920, 1080));
     m_sizes->addItem(tr("4K"), QSize(3840, 2160));
     m_sizes->addItem(tr("8K"), QSize(7680, 4320));
@@ -50,7 +50,10 @@ PictureSizeFields::PictureSizeFields(glm::ivec2 view, int mostPixelsASide,
     layout->addLayout(pixels);
     connect(m_sizes, &QComboBox::currentIndexChanged, this, &PictureSizeFields::chooseSize);
     for (QSpinBox* box : {m_width, m_height}) {
+        box->setSingleStep(step);
         connect(box, &QSpinBox::valueChanged, this, &PictureSizeFields::noteOwnSize);
+        connect(box, &QSpinBox::editingFinished, this,
+                [box, step] { box->setValue(box->value() - box->value() % step); });
     }
     chooseSize(0);
     const QSize last = QSettings().value(m_settingsKey).toSize(); // invalid: as the window
@@ -62,7 +65,8 @@ PictureSizeFields::PictureSizeFields(glm::ivec2 view, int mostPixelsASide,
 
 glm::ivec2 PictureSizeFields::chosen() const
 {
-    return {m_width->value(), m_height->value()};
+    const auto whole = [this](int pixels) { return pixels - pixels % m_step; };
+    return {whole(m_width->value()), whole(m_height->value())};
 }
 
 void PictureSizeFields::remember() const

@@ -18,8 +18,9 @@ class PictureSizeFields : public QWidget
     Q_OBJECT
 
 public:
-    /// `view`: size of the picture in the window, physical pixels.
-    PictureSizeFields(glm::ivec2 view, int mostPixelsASide, const QString& settingsKey,
+    /// `view`: size of the picture in the window, physical pixels. Others than multiples of `step`
+    /// cannot be chosen.
+    PictureSizeFields(glm::ivec2 view, int mostPixelsASide, int step, const QString& settingsKey,
                       QWidget* parent);
 
     [[nodiscard]] glm::ivec2 chosen() const;
@@ -29,6 +30,7 @@ private:
     void chooseSize(int index);
     void noteOwnSize();
 
+    const int m_step;
     QString m_settingsKey;
     QComboBox* m_sizes;
     QSpinBox* m_width;

@@ -58,6 +58,7 @@ private Q_SLOTS:
     void cleanup() { qunsetenv("CROWDBRUSH_FFMPEG"); }
     void ofTheSceneFromItsBeginning();
     void ofWhatHasBeenPlayed();
+    void sizesAreEven();
     void asTheTimelineMovesTheCamera();
     void asNumberedPictures();
     void nothingStaysOfWhatIsCancelled();
@@ -108,6 +109,26 @@ void TestMakeMovie::ofTheSceneFromItsBeginning()
     QCOMPARE(pictures.size(), std::size_t{15});
     QVERIFY(pictures.front() != pictures.back());
     QVERIFY(!m_window->state().session().isRunning()); // it was another run
+}
+
+/// An odd size would be cut without a word.
+void TestMakeMovie::sizesAreEven()
+{
+    openScene(walkScene(), QStringLiteral("walk.crowd"));
+    (void)make(pathOf(QStringLiteral("walk.mp4")), [](QDialog& dialog) {
+        auto* width = dialog.findChild<QSpinBox*>(QStringLiteral("pictureWidth"));
+        auto* height = dialog.findChild<QSpinBox*>(QStringLiteral("pictureHeight"));
+        auto* sizes = dialog.findChild<QComboBox*>(QStringLiteral("pictureSizes"));
+        sizes->setCurrentIndex(0);
+        QCOMPARE(width->value() % 2, 0);
+        QCOMPARE(height->value() % 2, 0);
+        width->setValue(kWidth + 1);
+        Q_EMIT width->editingFinished();
+        QCOMPARE(width->value(), kWidth);
+        height->setValue(kHeight);
+        dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieTo"))->setValue(0.1);
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->isFree(), 6 * kPatienceMs);
 }
 
 void TestMakeMovie::asTheTimelineMovesTheCamera()
