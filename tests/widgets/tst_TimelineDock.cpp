@@ -6,6 +6,7 @@
 #include <QtTest/QTest>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QLabel>
+#include <QtWidgets/QSplitter>
 #include <QtWidgets/QToolButton>
 
 #include "model/document/SceneEdit.h"
@@ -125,6 +126,8 @@ private Q_SLOTS:
     void whatIsSprayedIsOneMark();
     void theStripShowsWhatRulesDid();
     void whatIsWrongIsSaid();
+    void marksAreCopiedByKeys();
+    void theSideIsDrawnAwayAndBack();
     void anotherSceneHasItsOwn();
 };
 
@@ -617,6 +620,64 @@ void TestTimelineDock::whatIsWrongIsSaid()
     QVERIFY(note->text().contains(QStringLiteral("a cue that is not there")));
     desk.document.undoStack().undo();
     QVERIFY(!note->text().contains(QStringLiteral("⚠")));
+}
+
+/// The first of them to the moment that is shown, also twice.
+void TestTimelineDock::marksAreCopiedByKeys()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    desk.doubleClick(model::MarkKind::Cue, 1.0);
+    desk.doubleClick(model::MarkKind::Marker, 2.0);
+    QCOMPARE(desk.marks().size(), std::size_t{2});
+    desk.playTo(1.5);
+    const double now = desk.state.transport().seconds();
+    desk.view().choose({desk.marks()[0].id, desk.marks()[1].id});
+    desk.view().setFocus();
+    QTest::keyClick(&desk.view(), Qt::Key_C, Qt::ControlModifier);
+    QTest::keyClick(&desk.view(), Qt::Key_V, Qt::ControlModifier);
+    QCOMPARE(desk.marks().size(), std::size_t{4});
+    const double earlier = std::min(desk.marks()[0].seconds, desk.marks()[1].seconds);
+    const double later = std::max(desk.marks()[0].seconds, desk.marks()[1].seconds);
+    const auto isThere = [&](double seconds) {
+        return std::ranges::any_of(desk.marks(), [&](const model::Mark& mark) {
+            return std::abs(mark.seconds - seconds) < 1e-6;
+        });
+    };
+    QVERIFY(isThere(now));
+    QVERIFY(isThere(now + later - earlier));
+    QCOMPARE(desk.view().chosen().size(), std::size_t{2});
+    desk.document.undoStack().undo();
+    QCOMPARE(desk.marks().size(), std::size_t{2});
+}
+
+/// By its border, to the edge and back; and the next timeline has it as it was left.
+void TestTimelineDock::theSideIsDrawnAwayAndBack()
+{
+    const auto drag = [](QSplitter& halves, int by) {
+        QWidget* handle = halves.handle(1);
+        const QPoint from = handle->rect().center();
+        QTest::mousePress(handle, Qt::LeftButton, {}, from);
+        QTest::mouseMove(handle, from + QPoint(by, 0));
+        QTest::mouseRelease(handle, Qt::LeftButton, {}, from + QPoint(by, 0));
+    };
+    {
+        TimelineDesk desk;
+        QVERIFY(desk.isReady());
+        auto* halves = desk.dock->findChild<QSplitter*>();
+        const auto* note = desk.dock->findChild<QLabel*>(QStringLiteral("markNote"));
+        QTRY_VERIFY(!note->visibleRegion().isEmpty());
+        const int before = desk.view().width();
+        drag(*halves, 400);
+        QTRY_VERIFY(note->visibleRegion().isEmpty());
+        QVERIFY(desk.view().width() > before);
+    }
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    const auto* note = desk.dock->findChild<QLabel*>(QStringLiteral("markNote"));
+    QVERIFY(note->visibleRegion().isEmpty());
+    drag(*desk.dock->findChild<QSplitter*>(), -240);
+    QTRY_VERIFY(!note->visibleRegion().isEmpty());
 }
 
 void TestTimelineDock::anotherSceneHasItsOwn()

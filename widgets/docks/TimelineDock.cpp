@@ -10,6 +10,7 @@
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QScrollArea>
+#include <QtWidgets/QSplitter>
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QVBoxLayout>
 
@@ -27,11 +28,13 @@ using model::Mark;
 
 namespace {
 
-constexpr int kSideWidth = 240; ///< logical pixels
+constexpr int kSideWidth = 240; ///< at first, logical pixels
+constexpr int kLeastSide = 200; ///< nothing in it is cut
 constexpr int kGroupGap = 4;    ///< logical pixels
 constexpr int kMostFlaws = 4;
 constexpr std::array kFrameRates{0, 24, 25, 30, 60};
 const QString kUnitKey = QStringLiteral("timeline/frameRate");
+const QString kSideKey = QStringLiteral("timeline/side");
 
 } // namespace
 
@@ -42,11 +45,7 @@ TimelineDock::TimelineDock(EditorState& state, QWidget* parent)
     auto* content = new QWidget(this);
     auto* layout = new QHBoxLayout(content);
     layout->setContentsMargins(6, 6, 6, 6);
-    auto* main = new QVBoxLayout();
-    main->addWidget(makeButtons());
-    main->addWidget(m_view, 1);
-    layout->addLayout(main, 1);
-    layout->addWidget(makeSide());
+    layout->addWidget(makeHalves());
     setWidget(content);
     connect(m_view, &TimelineView::chosenChanged, this, &TimelineDock::followChosen);
     connect(&state.document(), &model::SceneDocument::changed, this,
@@ -65,6 +64,29 @@ TimelineDock::TimelineDock(EditorState& state, QWidget* parent)
                 }
             });
     followChosen();
+}
+
+/// The timeline, and at its side what is said of a mark: where that stands empty, the artist draws
+/// the border between them to the edge.
+QWidget* TimelineDock::makeHalves()
+{
+    auto* main = new QWidget(this);
+    auto* layout = new QVBoxLayout(main);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(makeButtons());
+    layout->addWidget(m_view, 1);
+    auto* halves = new QSplitter(this);
+    halves->addWidget(main);
+    halves->addWidget(makeSide());
+    halves->setCollapsible(0, false);
+    halves->setStretchFactor(0, 1);
+    halves->setStretchFactor(1, 0);
+    halves->handle(1)->setToolTip(tr("Drag the side away, or back from the edge"));
+    halves->setSizes({width(), kSideWidth});
+    halves->restoreState(QSettings().value(kSideKey).toByteArray());
+    connect(halves, &QSplitter::splitterMoved, this,
+            [halves] { QSettings().setValue(kSideKey, halves->saveState()); });
+    return halves;
 }
 
 QWidget* TimelineDock::makeButtons()
@@ -177,7 +199,7 @@ QWidget* TimelineDock::makeSide()
     area->setWidgetResizable(true);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area->setWidget(content);
-    area->setFixedWidth(kSideWidth);
+    area->setMinimumWidth(kLeastSide);
     return area;
 }
 

@@ -30,6 +30,7 @@ public:
 
 private:
     [[nodiscard]] QWidget* makeButtons();
+    [[nodiscard]] QWidget* makeHalves();
     [[nodiscard]] QWidget* makeSide();
     using AddButton =
         std::function<QToolButton*(const char* icon, const QString& tip, const char* name)>;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/document/SceneEdit.h"
+#include "widgets/state/Cues.h"
 
 namespace crowd::widgets {
 
@@ -142,6 +143,15 @@ void MarkRecorder::forget()
     m_last = 0;
 }
 
+/// What History says of it.
+QString MarkRecorder::stepText(const model::Scene& scene, const model::Timeline& performed)
+{
+    const auto cue = std::ranges::find(scene.cues, performed.front().cue, &model::Cue::id);
+    return performed.size() == 1 && cue != scene.cues.end()
+               ? tr("Record “%1”").arg(cueTitle(scene, *cue))
+               : tr("Record %n mark(s)", nullptr, static_cast<int>(performed.size()));
+}
+
 void MarkRecorder::keep()
 {
     if (m_performed.empty()) {
@@ -152,9 +162,10 @@ void MarkRecorder::keep()
         return;
     }
     m_isKeeping = true;
-    m_document.edit(tr("Record"), [this](model::SceneEdit& edit) {
+    model::Timeline performed = gathered(std::exchange(m_performed, {}));
+    m_document.edit(stepText(m_document.scene(), performed), [&](model::SceneEdit& edit) {
         model::Timeline timeline = edit.scene().timeline;
-        std::ranges::move(gathered(std::exchange(m_performed, {})), std::back_inserter(timeline));
+        std::ranges::move(performed, std::back_inserter(timeline));
         std::ranges::sort(timeline, {}, &model::Mark::id);
         edit.set<model::members::Timeline>(std::move(timeline));
     });

@@ -35,6 +35,8 @@ Q_SIGNALS:
 
 private:
     void keep();
+    [[nodiscard]] static QString stepText(const model::Scene& scene,
+                                          const model::Timeline& performed);
 
     model::SceneDocument& m_document;
     QTimer m_keep;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <QtGui/QContextMenuEvent>
@@ -25,12 +26,13 @@ namespace {
 
 constexpr double kZoomStep = 1.15;
 constexpr double kWheelNotch = 120.0;
-constexpr double kPan = 60.0; ///< pixels a notch
-constexpr int kNear = 2;      ///< pixels beside a mark or a tick that still mean it
-constexpr int kHandle = 9;    ///< pixels: width of a handle of the play range
-constexpr int kHandleTop = 8; ///< from the top of the ruler
-constexpr int kStill = 3;     ///< pixels that a click may move
-constexpr int kAimMs = 1500;  ///< from a movement of the mouse to a click
+constexpr double kPan = 60.0;        ///< pixels a notch
+constexpr int kNear = 2;             ///< pixels beside a mark or a tick that still mean it
+constexpr int kHandle = 9;           ///< pixels: width of a handle of the play range
+constexpr int kHandleTop = 8;        ///< from the top of the ruler
+constexpr int kStill = 3;            ///< pixels that a click may move
+constexpr double kRoomToPlay = 1.25; ///< share of all there is that is seen while it plays
+constexpr int kAimMs = 1500;         ///< from a movement of the mouse to a click
 constexpr int kNames = TimelineLayout::kNames;
 constexpr int kRuler = TimelineLayout::kRuler;
 
@@ -142,6 +144,9 @@ void TimelineView::showAll()
         last = std::max(last, mark.seconds + mark.length());
     }
     last = std::max(last, m_state.scene().playRange.end);
+    if (m_state.transport().isPlaying()) {
+        last *= kRoomToPlay; // else the next moment would scroll it away
+    }
     m_isToFit = !isVisible() || width() < minimumSizeHint().width(); // not laid out yet
     m_scale.fit(last, width() - kNames);
     update();
@@ -230,10 +235,7 @@ const Mark* TimelineView::markThrough(const QPoint& at) const
 bool TimelineView::event(QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride) {
-        const int key = static_cast<QKeyEvent*>(event)->key();
-        const bool isRemoval = key == Qt::Key_Delete || key == Qt::Key_Backspace;
-        const bool isEnd = key == Qt::Key_Escape && (m_drag || m_rangeDrag);
-        if (isEnd || ((isRemoval || key == Qt::Key_Escape) && !m_chosen.empty())) {
+        if (takesKey(*static_cast<QKeyEvent*>(event))) {
             event->accept();
             return true;
         }
@@ -241,11 +243,50 @@ bool TimelineView::event(QEvent* event)
     return QWidget::event(event);
 }
 
+bool TimelineView::takesKey(const QKeyEvent& event) const
+{
+    const int key = event.key();
+    const bool isRemoval = key == Qt::Key_Delete || key == Qt::Key_Backspace;
+    const bool isEnd = key == Qt::Key_Escape && (m_drag || m_rangeDrag);
+    const bool isOfChosen = isRemoval || key == Qt::Key_Escape || event.matches(QKeySequence::Copy);
+    return isEnd || (isOfChosen && !m_chosen.empty()) ||
+           (event.matches(QKeySequence::Paste) && !m_copied.empty());
+}
+
+void TimelineView::copyChosen()
+{
+    m_copied = m_chosen;
+    m_state.showStatus(tr("%n mark(s) copied: Ctrl+V puts them where the moment shown is", nullptr,
+                          static_cast<int>(m_copied.size())));
+}
+
+/// The first of them at the moment that is shown.
+void TimelineView::pasteCopied()
+{
+    MarkIds there;
+    double first = std::numeric_limits<double>::max();
+    for (const Mark& mark : m_state.scene().timeline) {
+        if (m_copied.contains(mark.id)) {
+            there.insert(mark.id);
+            first = std::min(first, mark.seconds);
+        }
+    }
+    if (there.empty()) {
+        m_state.showStatus(tr("The marks that were copied are not there any more."));
+        return;
+    }
+    choose(copyMarks(m_state, there, m_state.transport().seconds() - first));
+}
+
 void TimelineView::keyPressEvent(QKeyEvent* event)
 {
     const bool isRemoval = event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace;
     if (isRemoval && !m_chosen.empty()) {
         removeChosen();
+    } else if (event->matches(QKeySequence::Copy) && !m_chosen.empty()) {
+        copyChosen();
+    } else if (event->matches(QKeySequence::Paste) && !m_copied.empty()) {
+        pasteCopied();
     } else if (event->key() == Qt::Key_Escape && giveUpDrags()) {
         event->accept();
     } else if (event->key() == Qt::Key_Escape && !m_chosen.empty()) {

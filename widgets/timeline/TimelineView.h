@@ -99,6 +99,9 @@ private:
     bool giveUpDrags();
     [[nodiscard]] double earliestChosen() const;
     void removeChosen();
+    [[nodiscard]] bool takesKey(const QKeyEvent& event) const;
+    void copyChosen();
+    void pasteCopied();
     [[nodiscard]] const model::Mark* markAt(const QPoint& at) const;  ///< null: there is none
     [[nodiscard]] double shownSeconds(const model::Mark& mark) const; ///< while it is dragged
 
@@ -106,6 +109,7 @@ private:
     TimelineScale m_scale;
     model::Timeline m_ordered; ///< the scene's, in the order in which they happen
     MarkIds m_chosen;
+    MarkIds m_copied; ///< to be pasted; some may be gone
     MarkIds m_flawed; ///< that do not do what they say
     std::optional<Drag> m_drag;
     std::optional<RangeDrag> m_rangeDrag;
