@@ -7783,10 +7783,6 @@
         <translation>für alle zugleich</translation>
     </message>
     <message>
-        <source>its number</source>
-        <translation>seine Zahl</translation>
-    </message>
-    <message>
         <source>Rules that hear it can ask for it, or walk as fast</source>
         <translation>Regeln, die es hören, können danach fragen oder so schnell gehen lassen</translation>
     </message>
@@ -8474,6 +8470,62 @@
         <source>run {metres} m away from whoever it came from, or anywhere</source>
         <translation>{metres} m weit von dem weglaufen, von dem es kam, oder irgendwohin</translation>
     </message>
+    <message>
+        <source>with the number</source>
+        <translation>mit der Zahl</translation>
+    </message>
+    <message>
+        <source>walks along a path</source>
+        <translation>geht auf einem Weg</translation>
+    </message>
+    <message>
+        <source>has a choice of a feature</source>
+        <translation>hat ein bestimmtes Merkmal</translation>
+    </message>
+    <message>
+        <source>has a tag</source>
+        <translation>hat eine Marke</translation>
+    </message>
+    <message>
+        <source>is inside a place</source>
+        <translation>ist an einem Ort</translation>
+    </message>
+    <message>
+        <source>a place is full</source>
+        <translation>ein Ort ist voll</translation>
+    </message>
+    <message>
+        <source>is seated</source>
+        <translation>sitzt</translation>
+    </message>
+    <message>
+        <source>their own number is…</source>
+        <translation>die eigene Zahl ist …</translation>
+    </message>
+    <message>
+        <source>is of a template</source>
+        <translation>ist von einer Vorlage</translation>
+    </message>
+    <message>
+        <source>the event’s number is…</source>
+        <translation>die Zahl des Ereignisses ist …</translation>
+    </message>
+    <message>
+        <source>the number of characters in a place is…</source>
+        <translation>die Zahl der Figuren an einem Ort ist …</translation>
+    </message>
+    <message>
+        <source>one of their properties is…</source>
+        <translation>eine Eigenschaft ist …</translation>
+    </message>
+    <message>
+        <source>the number of those related is…</source>
+        <translation>die Zahl der Verbundenen ist …</translation>
+    </message>
+    <message>
+        <source>their speed is…</source>
+        <translation>die Geschwindigkeit ist …</translation>
+    </message>
 </context>
 <context>
     <name>Script</name>
@@ -9049,10 +9101,6 @@
         <translation>Gangartpinsel</translation>
     </message>
     <message>
-        <source>Scale Brush</source>
-        <translation>Größenpinsel</translation>
-    </message>
-    <message>
         <source>Material Brush</source>
         <translation>Materialpinsel</translation>
     </message>
@@ -9107,6 +9155,10 @@
     <message>
         <source>Retake Brush</source>
         <translation>Neuspielpinsel</translation>
+    </message>
+    <message>
+        <source>Size Brush</source>
+        <translation>Größenpinsel</translation>
     </message>
 </context>
 <context>
@@ -9927,10 +9979,6 @@ Verworfen ist sie fort.</translation>
         <translation>Was abgespielt wurde</translation>
     </message>
     <message>
-        <source>The scene from its beginning</source>
-        <translation>Die Szene von Anfang an</translation>
-    </message>
-    <message>
         <source>What has been played, with all that was sent, called and recalled meanwhile; or the scene as it plays if nobody touches it</source>
         <translation>Was abgespielt wurde, mit allem, was dabei gesendet, gerufen und abgerufen wurde; oder die Szene, wie sie abläuft, wenn niemand eingreift</translation>
     </message>
@@ -9980,6 +10028,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Passes</source>
         <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>The scene as it plays by itself</source>
+        <translation>Die Szene, wie sie von selbst läuft</translation>
     </message>
 </context>
 <context>
@@ -10698,8 +10750,8 @@ Verworfen ist sie fort.</translation>
         <translation>Ein Klick holt sie nach vorn, von wo sie malt; ein Rechtsklick entfernt sie</translation>
     </message>
     <message>
-        <source>Colours (New)</source>
-        <translation>Farben (neu)</translation>
+        <source>New characters wear these:</source>
+        <translation>Neue Figuren tragen diese:</translation>
     </message>
 </context>
 <context>
@@ -10770,6 +10822,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>The arrow changes or deletes it.</source>
         <translation>Der Pfeil ändert oder löscht es.</translation>
+    </message>
+    <message>
+        <source>%1 (selected)</source>
+        <translation>%1 (Gewählte)</translation>
     </message>
 </context>
 <context>
@@ -11788,10 +11844,6 @@ Verworfen ist sie fort.</translation>
         <translation>Sonne, Himmel und Farben einer Tageszeit; der Boden bleibt</translation>
     </message>
     <message>
-        <source>Change light</source>
-        <translation>Licht ändern</translation>
-    </message>
-    <message>
         <source>Add: %1. Then click what it is to shine on</source>
         <translation>Hinzufügen: %1. Dann anklicken, worauf es scheinen soll</translation>
     </message>
@@ -11853,6 +11905,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>In the picture, while Select is chosen: drag the lamp, with Shift up and down, the edge of its cone, or what it shines on; with Ctrl onto somebody, and it goes with him.</source>
         <translation>Im Bild, solange „Auswählen“ gewählt ist: die Lampe ziehen, mit Umschalt auf und ab, den Rand ihres Kegels oder das, worauf sie scheint; mit Strg auf jemanden, dann folgt sie ihm.</translation>
+    </message>
+    <message>
+        <source>Change sun, sky or air</source>
+        <translation>Sonne, Himmel oder Luft ändern</translation>
     </message>
 </context>
 <context>
@@ -11953,8 +12009,15 @@ Verworfen ist sie fort.</translation>
 <context>
     <name>crowd::widgets::MarkRecorder</name>
     <message>
-        <source>Record</source>
-        <translation>Aufnehmen</translation>
+        <source>Record “%1”</source>
+        <translation>„%1“ aufnehmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Record %n mark(s)</source>
+        <translation>
+            <numerusform>%n Zeitmarke aufnehmen</numerusform>
+            <numerusform>%n Zeitmarken aufnehmen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12466,6 +12529,13 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>New rule %1</source>
         <translation>Neue Regel %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Chosen in %n other rule(s) too, where it was still open</source>
+        <translation>
+            <numerusform>Auch in %n weiteren Regel gewählt, wo noch nichts gewählt war</numerusform>
+            <numerusform>Auch in %n weiteren Regeln gewählt, wo noch nichts gewählt war</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13299,6 +13369,10 @@ Verworfen ist sie fort.</translation>
         <source>The view looks through the timeline&apos;s camera, where there is one</source>
         <translation>Die Ansicht blickt durch die Kamera der Zeitleiste, wo es eine gibt</translation>
     </message>
+    <message>
+        <source>Drag the side away, or back from the edge</source>
+        <translation>Ziehen Sie die Seite weg oder vom Rand zurück</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::TimelineView</name>
@@ -13341,6 +13415,17 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Play All Time</source>
         <translation>Die ganze Zeit abspielen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) copied: Ctrl+V puts them where the moment shown is</source>
+        <translation>
+            <numerusform>%n Zeitmarke kopiert: Strg+V setzt sie an den gezeigten Augenblick</numerusform>
+            <numerusform>%n Zeitmarken kopiert: Strg+V setzt sie an den gezeigten Augenblick</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The marks that were copied are not there any more.</source>
+        <translation>Die kopierten Zeitmarken gibt es nicht mehr.</translation>
     </message>
 </context>
 <context>

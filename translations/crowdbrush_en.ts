@@ -7783,10 +7783,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>its number</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Rules that hear it can ask for it, or walk as fast</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8474,6 +8470,62 @@
         <source>run {metres} m away from whoever it came from, or anywhere</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>with the number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>walks along a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a choice of a feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is inside a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a place is full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is seated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>their own number is…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is of a template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the event’s number is…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of characters in a place is…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of their properties is…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of those related is…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>their speed is…</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Script</name>
@@ -9048,10 +9100,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Scale Brush</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Material Brush</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9105,6 +9153,10 @@
     </message>
     <message>
         <source>Retake Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size Brush</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9921,10 +9973,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The scene from its beginning</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>What has been played, with all that was sent, called and recalled meanwhile; or the scene as it plays if nobody touches it</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9973,6 +10021,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scene as it plays by itself</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10690,7 +10742,7 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Colours (New)</source>
+        <source>New characters wear these:</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10761,6 +10813,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>The arrow changes or deletes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (selected)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11780,10 +11836,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Change light</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Add: %1. Then click what it is to shine on</source>
         <translation type="unfinished"></translation>
     </message>
@@ -11844,6 +11896,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>In the picture, while Select is chosen: drag the lamp, with Shift up and down, the edge of its cone, or what it shines on; with Ctrl onto somebody, and it goes with him.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change sun, sky or air</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11945,8 +12001,15 @@ Thrown away, it is gone.</source>
 <context>
     <name>crowd::widgets::MarkRecorder</name>
     <message>
-        <source>Record</source>
+        <source>Record “%1”</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Record %n mark(s)</source>
+        <translation>
+            <numerusform>Record %n mark</numerusform>
+            <numerusform>Record %n marks</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12458,6 +12521,13 @@ Thrown away, it is gone.</source>
     <message>
         <source>New rule %1</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Chosen in %n other rule(s) too, where it was still open</source>
+        <translation>
+            <numerusform>Chosen in %n other rule too, where it was still open</numerusform>
+            <numerusform>Chosen in %n other rules too, where it was still open</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13291,6 +13361,10 @@ Thrown away, it is gone.</source>
         <source>The view looks through the timeline&apos;s camera, where there is one</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Drag the side away, or back from the edge</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::TimelineView</name>
@@ -13332,6 +13406,17 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Play All Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) copied: Ctrl+V puts them where the moment shown is</source>
+        <translation>
+            <numerusform>%n mark copied: Ctrl+V puts it where the moment shown is</numerusform>
+            <numerusform>%n marks copied: Ctrl+V puts them where the moment shown is</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The marks that were copied are not there any more.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/DockLayout.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -22,6 +23,8 @@ constexpr int kLayoutVersion = 2;
 constexpr QSize kRoomyScreen(1600, 1000);
 constexpr QSize kSize(1280, 800);
 constexpr int kSmallIcons = 18; ///< of a tool bar that would else be cut, logical pixels
+/// A wide window has wide panels: a sixth of it.
+constexpr int kSideShare = 6;
 const char* const kWholeIcons = "wholeIcons";
 
 /// Its last field stays in a narrow window.
@@ -72,11 +75,16 @@ void DockLayout::addAll(const DockParts& parts)
         QDockWidget* dock = info.make(parts);
         m_window.addDockWidget(info.area, dock);
         m_docks.push_back(dock);
-        connect(dock, &QDockWidget::topLevelChanged, this, [this] { m_isUntouched = false; });
+        connect(dock, &QDockWidget::topLevelChanged, this, [this, dock](bool isFloating) {
+            m_isUntouched = false;
+            if (!isFloating) { // in front of where it has come to, once it is there
+                QMetaObject::invokeMethod(dock, &QDockWidget::raise, Qt::QueuedConnection);
+            }
+        });
         connect(dock, &QDockWidget::visibilityChanged, this, [this, &info](bool isSeen) {
             m_isSeen[static_cast<std::size_t>(info.id)] = isSeen ? 1 : 0;
-            if (info.tabAfter && info.height > 0) {
-                arrangeSoon();
+            if ((info.tabAfter && info.height > 0) || info.area == Qt::BottomDockWidgetArea) {
+                arrangeSoon(); // those at the bottom press the sides together
             }
         });
         if (!info.isShown) {
@@ -133,7 +141,8 @@ void DockLayout::arrange()
         std::map<DockId, int> rows;
         for (const DockInfo& info : dockTable()) {
             if (info.area == area && info.width > 0) {
-                m_window.resizeDocks({dock(info.id)}, {info.width}, Qt::Horizontal);
+                const int width = std::max(info.width, m_window.width() / kSideShare);
+                m_window.resizeDocks({dock(info.id)}, {width}, Qt::Horizontal);
             }
             const bool isSeen = !info.tabAfter || m_isSeen[static_cast<std::size_t>(info.id)] != 0;
             if (info.area == area && info.height > 0 && isSeen) {
@@ -167,6 +176,9 @@ void DockLayout::fitToScreen()
 {
     const QRect screen = m_window.screen()->availableGeometry();
     if (screen.width() < kRoomyScreen.width() || screen.height() < kRoomyScreen.height()) {
+        // For when it is no longer so large.
+        const QSize size = kSize.boundedTo(screen.size() * 9 / 10);
+        m_window.setGeometry({screen.topLeft(), size.expandedTo(m_window.minimumSizeHint())});
         m_window.setWindowState(m_window.windowState() | Qt::WindowMaximized);
         return;
     }

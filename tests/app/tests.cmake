@@ -1,6 +1,7 @@
 crowd_add_tests(ROOM app LINK crowd_app TESTS
     tst_AssetDialogs
     tst_DescribedStruct
+    tst_DockLayout
     tst_FindByName
     tst_Interruptions
     tst_Language

@@ -2,6 +2,7 @@
 #include <QtCore/QSettings>
 #include <QtCore/QStandardPaths>
 #include <QtTest/QTest>
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QToolButton>
 
 #include "tests/program/WindowTest.h"
@@ -170,7 +171,13 @@ void ColourDockTest::newPeopleHaveColoursOfTheirOwn()
     ColourDesk desk;
     QVERIFY(desk.isReady());
     const auto painted = brushColors(desk);
+    const auto* ofWhom = desk.dock->findChild<QLabel*>(QStringLiteral("coloursOfWhom"));
+    const QString title = desk.dock->windowTitle();
+    desk.state.setTool(ToolId::BrushColour);
+    QVERIFY(!ofWhom->isVisible());
     desk.state.setTool(ToolId::BrushCreate);
+    QVERIFY(ofWhom->isVisible());
+    QCOMPARE(desk.dock->windowTitle(), title); // tabs stay where they are
     SwatchGrid* chips = grid(desk, "brushColours");
     const auto palette = [&] {
         return desk.state.brush(model::BrushKind::Create)

@@ -36,6 +36,22 @@ float measureFor(float height)
     return ten;
 }
 
+/// What a square picture in the middle leaves of a rectangle, as if its edges went on.
+void paintAround(QPainter& painter, const QImage& picture, const QRect& rect)
+{
+    const bool isWide = rect.width() > rect.height();
+    const int right = picture.width() - 1;
+    const int bottom = picture.height() - 1;
+    const QRect low = isWide ? QRect(0, 0, 1, bottom + 1) : QRect(0, 0, right + 1, 1);
+    const QRect high = isWide ? QRect(right, 0, 1, bottom + 1) : QRect(0, bottom, right + 1, 1);
+    const QRect first(rect.topLeft(), isWide ? QSize(rect.width() / 2, rect.height())
+                                             : QSize(rect.width(), rect.height() / 2));
+    QRect second = first;
+    second.moveBottomRight(rect.bottomRight());
+    painter.drawImage(first, picture, low);
+    painter.drawImage(second, picture, high);
+}
+
 } // namespace
 
 TemplatePreview::TemplatePreview(model::KeyframeStore& keyframes, QWidget* parent)
@@ -70,8 +86,8 @@ void TemplatePreview::beat()
 void TemplatePreview::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
-    painter.fillRect(rect(), palette().base());
     if (!m_asset) {
+        painter.fillRect(rect(), palette().base());
         return;
     }
     render::ThumbnailRequest request;
@@ -83,6 +99,7 @@ void TemplatePreview::paintEvent(QPaintEvent*)
     request.size = static_cast<int>(side * devicePixelRatioF());
     request.showGround = true;
     QImage picture = templatePicture(m_keyframes, request);
+    paintAround(painter, picture, rect());
     picture.setDevicePixelRatio(devicePixelRatioF());
     painter.translate((width() - side) / 2.0, (height() - side) / 2.0);
     painter.setClipRect(0, 0, side, side);

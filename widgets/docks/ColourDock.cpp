@@ -6,6 +6,7 @@
 #include <QtCore/QEvent>
 #include <QtGui/QAction>
 #include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QVBoxLayout>
@@ -66,16 +67,21 @@ ColourDock::ColourDock(EditorState& state, QWidget* parent)
     : DockBase(tr("Colour"), "colour", parent), m_state(state),
       m_chips(new SwatchGrid(kChipSize, this)), m_square(new ColourSquare(this)),
       m_dropper(new QToolButton(this)), m_hex(new QLineEdit(this)),
-      m_recent(new SwatchGrid(kSwatchSize, this)), m_swatches(new SwatchGrid(kSwatchSize, this))
+      m_recent(new SwatchGrid(kSwatchSize, this)), m_swatches(new SwatchGrid(kSwatchSize, this)),
+      m_ofWhom(new QLabel(this))
 {
     auto* content = new QWidget(this);
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(6, 4, 6, 6);
     layout->setSpacing(5);
+    layout->addWidget(m_ofWhom);
     layout->addWidget(rowOf(m_chips, m_dropper, content));
     layout->addWidget(m_square, 1);
     layout->addWidget(rowOf(m_recent, m_hex, content));
     layout->addWidget(m_swatches);
+    m_ofWhom->setObjectName(QStringLiteral("coloursOfWhom"));
+    m_ofWhom->setText(tr("New characters wear these:"));
+    m_ofWhom->setEnabled(false);
     m_hex->setMaxLength(7);
     m_hex->setFixedWidth(68);
     m_hex->setToolTip(tr("The colour in hexadecimal, as #rrggbb"));
@@ -247,8 +253,7 @@ void ColourDock::noteUsed(model::BrushKind kind)
 void ColourDock::refresh()
 {
     const bool isCreation = kind() == model::BrushKind::Create;
-    setWindowTitle(isCreation ? tr("Colours (New)") : tr("Colour"));
-    toggleViewAction()->setText(tr("Colour"));
+    m_ofWhom->setVisible(isCreation); // a title that changed would move all tabs beside it
     const std::vector<QColor> all = colors();
     m_chosen = paintsFirst() ? 0 : m_chosen;
     m_chips->setAddition(all.size() >= kMostColors ? QString()

@@ -8,6 +8,7 @@
 #include "widgets/docks/DockBase.h"
 #include "widgets/state/EditorState.h"
 
+class QLabel;
 class QLineEdit;
 class QToolButton;
 
@@ -58,6 +59,7 @@ private:
     QLineEdit* m_hex;
     SwatchGrid* m_recent;
     SwatchGrid* m_swatches;
+    QLabel* m_ofWhom;         ///< while the colours are of new characters
     std::size_t m_chosen = 0; ///< which of the brush's colours is edited
 };
 

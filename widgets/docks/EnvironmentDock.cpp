@@ -198,10 +198,9 @@ void EnvironmentDock::buildShapeRow()
     m_shapeFacts = new QLabel(this);
     m_shapeFacts->setObjectName(QStringLiteral("placeShapeFacts"));
     m_shapeFacts->setMinimumWidth(1);
-    m_shapeRow = new QHBoxLayout;
-    m_shapeRow->addWidget(m_shape);
-    m_shapeRow->addWidget(m_shapeFacts, 1);
-    m_form->addRow(tr("Shape"), m_shapeRow);
+    m_shapeFacts->setEnabled(false);
+    m_form->addRow(tr("Shape"), m_shape);
+    m_form->addRow(QString(), m_shapeFacts);
     connect(m_shape, &QComboBox::activated, this, [this](int index) {
         changePlace(tr("Change the shape of a place"), [&](model::Place& each) {
             model::Place changed = each;
@@ -214,7 +213,8 @@ void EnvironmentDock::buildShapeRow()
 /// A round one has no corners that it could be anything else over, unless it had some before.
 void EnvironmentDock::showShape(const model::Place& place)
 {
-    m_form->setRowVisible(m_shapeRow, !place.corners.empty());
+    m_form->setRowVisible(m_shape, !place.corners.empty());
+    m_form->setRowVisible(m_shapeFacts, !place.corners.empty());
     m_shape->setCurrentIndex(static_cast<int>(place.shape));
     for (int i = 0; i < m_shape->count(); ++i) {
         model::Place other = place;
@@ -296,7 +296,8 @@ void EnvironmentDock::refreshForm()
     m_form->setRowVisible(m_positionRow, shownPlace != nullptr);
     m_form->setRowVisible(m_radius, shownPlace != nullptr);
     m_form->setRowVisible(m_capacity, shownPlace != nullptr);
-    m_form->setRowVisible(m_shapeRow, false);
+    m_form->setRowVisible(m_shape, false);
+    m_form->setRowVisible(m_shapeFacts, false);
     m_form->setRowVisible(m_role, shownPlace != nullptr);
     m_form->setRowVisible(m_speedShare,
                           shownPlace != nullptr && shownPlace->role == model::PlaceRole::Slow);

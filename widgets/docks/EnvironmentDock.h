@@ -72,7 +72,6 @@ private:
     // Rows of the form with several fields each.
     QHBoxLayout* m_nameRow;
     QHBoxLayout* m_positionRow;
-    QHBoxLayout* m_shapeRow;
     bool m_isFilling = false;
 };
 

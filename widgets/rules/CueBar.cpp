@@ -122,7 +122,9 @@ void CueBar::resizeEvent(QResizeEvent* event)
 QWidget* CueBar::buttonOf(const model::Cue& cue)
 {
     auto* button = new QToolButton(this);
-    const QString name = cueTitle(m_state.scene(), cue);
+    const QString title = cueTitle(m_state.scene(), cue);
+    const QString name =
+        cue.reach == model::CueReach::Selected ? tr("%1 (selected)").arg(title) : title;
     button->setText(cue.key.empty() ? name
                                     : tr("%1 · %2").arg(QString::fromStdString(cue.key), name));
     button->setToolTip(cueTip(m_state.scene(), cue));

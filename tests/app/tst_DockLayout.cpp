@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <QtTest/QTest>
+#include <QtWidgets/QDockWidget>
+
+#include "app/window/DockLayout.h"
+#include "app/window/DockTable.h"
+#include "tests/app/PlainScene.h"
+#include "tests/app/SceneWindow.h"
+#include "tests/program/WindowTest.h"
+
+using namespace crowd;
+using namespace crowd::testing;
+
+/// How wide panels are that nobody has moved.
+class TestDockLayout : public QObject, SceneWindow
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { prepare("DockLayout"); }
+    void init() { begin(); }
+    void cleanup() { m_window.reset(); }
+    void aWideWindowHasWidePanels();
+    void theSidesAreAsBeforeWhenTheTimelineGoes();
+
+    void oneThatIsPutBackIsInFront();
+
+private:
+    [[nodiscard]] QDockWidget* dock(app::DockId id) const
+    {
+        return m_window->dockLayout().dock(id);
+    }
+    [[nodiscard]] int width() const { return dock(app::DockId::BrushSettings)->width(); }
+};
+
+/// Long names of brushes are read in their tab.
+void TestDockLayout::aWideWindowHasWidePanels()
+{
+    m_window->resize(1280, 700);
+    QTRY_VERIFY2(width() < 290, qPrintable(QString::number(width())));
+    m_window->resize(1860, 960);
+    QTRY_VERIFY2(width() >= 305, qPrintable(QString::number(width())));
+}
+
+void TestDockLayout::theSidesAreAsBeforeWhenTheTimelineGoes()
+{
+    m_window->resize(1280, 700);
+    QTRY_VERIFY(width() < 290);
+    const int before = width();
+    dock(app::DockId::Timeline)->show();
+    QTRY_VERIFY(dock(app::DockId::Timeline)->width() > 0);
+    m_window->resizeDocks({dock(app::DockId::BrushSettings)}, {10}, Qt::Horizontal);
+    QTRY_VERIFY(width() < before); // pressed together
+    dock(app::DockId::Timeline)->hide();
+    QTRY_COMPARE(width(), before);
+}
+
+/// Among the tabs that it came from.
+void TestDockLayout::oneThatIsPutBackIsInFront()
+{
+    QDockWidget* light = dock(app::DockId::Light);
+    light->raise();
+    QTRY_VERIFY(!light->visibleRegion().isEmpty());
+    light->setFloating(true);
+    dock(app::DockId::Groups)->raise();
+    QTRY_VERIFY(!dock(app::DockId::Groups)->visibleRegion().isEmpty());
+    light->setFloating(false);
+    QTRY_VERIFY(!light->visibleRegion().isEmpty());
+}
+
+CROWD_WINDOW_TEST(TestDockLayout)
+#include "tst_DockLayout.moc"
