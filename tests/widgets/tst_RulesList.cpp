@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <utility>
+#include <vector>
+
 #include <QtGui/QAction>
 #include <QtGui/QContextMenuEvent>
 #include <QtWidgets/QComboBox>
@@ -308,12 +311,18 @@ void TestRulesList::countingMovesNothing()
     const auto count = [&] { return desk.list->item(0)->data(kRuleCountRole).toString(); };
     QTRY_VERIFY(desk.list->item(0)->data(kRuleCountRole).isValid());
     QVERIFY(count().isEmpty());
-    QTest::qWait(100); // the list has its height, and the column its room
     std::vector<QRect> before;
-    for (int row = 0; row < 3; ++row) {
-        before.push_back(desk.list->visualItemRect(desk.list->item(row)));
-    }
-    const int height = desk.list->height();
+    int unchanged = 0;
+    const auto isAtRest = [&] { // the list has its height, and the column its room
+        std::vector<QRect> now{desk.list->geometry()};
+        for (int row = 0; row < 3; ++row) {
+            now.push_back(desk.list->visualItemRect(desk.list->item(row)));
+        }
+        unchanged = now == before ? unchanged + 1 : 0;
+        before = std::move(now);
+        return unchanged >= 5;
+    };
+    QTRY_VERIFY(isAtRest());
     model::EventSettings event;
     event.name = "event1";
     desk.state.session().send(event, desk.document.scene().population.ids());
@@ -321,9 +330,9 @@ void TestRulesList::countingMovesNothing()
     QCoreApplication::processEvents();
     for (int row = 0; row < 3; ++row) {
         QCOMPARE(desk.list->visualItemRect(desk.list->item(row)),
-                 before[static_cast<std::size_t>(row)]);
+                 before[static_cast<std::size_t>(row) + 1]);
     }
-    QCOMPARE(desk.list->height(), height);
+    QCOMPARE(desk.list->geometry(), before.front());
 }
 
 void TestRulesList::theLogOfAnotherSceneIsForgotten()
