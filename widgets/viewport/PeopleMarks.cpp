@@ -26,6 +26,19 @@ glm::vec4 ringColor(const QColor& color)
     return {color.redF(), color.greenF(), color.blueF(), 0.95F};
 }
 
+render::Marker ringAt(const glm::vec3& position, const glm::vec4& color)
+{
+    render::Marker ring{position, kRingRadius, color};
+    ring.innerShare = kRingInner;
+    ring.leastPixels = kLeastPixels;
+    return ring;
+}
+
+QColor labelColor(const model::PaintColor& color)
+{
+    return {color[0], color[1], color[2]};
+}
+
 } // namespace
 
 bool showsTags(const EditorState& state)
@@ -40,12 +53,10 @@ void PeopleMarks::addRing(const glm::vec3& position, std::uint64_t tags,
     const float part = 1.0F / static_cast<float>(std::popcount(tags));
     float from = 0.0F;
     for (; tags != 0; tags &= tags - 1) {
-        render::Marker ring{position, kRingRadius,
-                            colors[static_cast<std::size_t>(std::countr_zero(tags))]};
-        ring.innerShare = kRingInner;
+        render::Marker ring =
+            ringAt(position, colors[static_cast<std::size_t>(std::countr_zero(tags))]);
         ring.fromTurn = from;
         ring.toTurn = from + part;
-        ring.leastPixels = kLeastPixels;
         m_markers.push_back(ring);
         from += part;
     }
@@ -88,18 +99,13 @@ void PeopleMarks::addRings(const model::CrowdFrame& frame, std::span<const Id> w
         }
         const auto label = std::ranges::find(labels, std::uint32_t{worn[row]}, &RingLabel::id);
         if (label != labels.end()) {
-            const auto& [red, green, blue] = label->color;
-            render::Marker ring{positions[row], kRingRadius, ringColor(QColor(red, green, blue))};
-            ring.innerShare = kRingInner;
-            ring.leastPixels = kLeastPixels;
-            m_markers.push_back(ring);
+            m_markers.push_back(ringAt(positions[row], ringColor(label->shown.color)));
             isSeen[static_cast<std::size_t>(label - labels.begin())] = true;
         }
     }
     for (std::size_t i = 0; i < labels.size(); ++i) {
         if (isSeen[i]) {
-            const auto& [red, green, blue] = labels[i].color;
-            m_legend.push_back({labels[i].name, QColor(red, green, blue)});
+            m_legend.push_back(labels[i].shown);
         }
     }
 }
@@ -112,7 +118,8 @@ void PeopleMarks::addOfBrush(const EditorState& state, const model::CrowdFrame& 
     std::vector<RingLabel> labels;
     if (brush != nullptr && brush->kind() == model::BrushKind::Group) {
         for (const model::Group& group : state.scene().groups) {
-            labels.push_back({group.id, QString::fromStdString(group.name), group.color});
+            labels.push_back(
+                {group.id, {QString::fromStdString(group.name), labelColor(group.color)}});
         }
         addRings(frame, frame.population.column(model::columns::group), labels);
     } else if (settings != nullptr) {
@@ -120,7 +127,7 @@ void PeopleMarks::addOfBrush(const EditorState& state, const model::CrowdFrame& 
             model::findKind(state.scene().features, std::string_view(settings->kind));
         if (kind != nullptr) {
             for (const model::FeatureValue& value : kind->values) {
-                labels.push_back({value.id, featureText(value.name), value.color});
+                labels.push_back({value.id, {featureText(value.name), labelColor(value.color)}});
             }
             addRings(frame, frame.population.column(model::columns::feature(kind->id)), labels);
         }

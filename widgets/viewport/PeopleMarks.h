@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -11,20 +12,12 @@
 
 namespace crowd::widgets {
 
-/// A tag that somebody in the picture has.
+/// A tag, a group or a value of a feature that somebody in the picture has.
 struct TagLabel
 {
     QString name;
     QColor color;
     friend bool operator==(const TagLabel&, const TagLabel&) = default;
-};
-
-/// What a ring under somebody tells: of his group or of a value that he bears.
-struct RingLabel
-{
-    std::uint32_t id = 0;
-    QString name;
-    model::PaintColor color{};
 };
 
 /// Whether tags are seen: as the view is set, and always while a brush works on them.
@@ -39,10 +32,17 @@ public:
     void make(const EditorState& state, const model::CrowdFrame& frame);
     void add(std::span<const render::Marker> others);
     [[nodiscard]] std::span<const render::Marker> markers() const { return m_markers; }
-    /// Of the rings, by bit.
+    /// Of the rings that are seen.
     [[nodiscard]] const std::vector<TagLabel>& legend() const { return m_legend; }
 
 private:
+    /// What a ring tells: of a group, or of a value that is borne.
+    struct RingLabel
+    {
+        std::uint32_t id = 0;
+        TagLabel shown;
+    };
+
     void addTags(const EditorState& state, const model::CrowdFrame& frame);
     void addRing(const glm::vec3& position, std::uint64_t tags, std::span<const glm::vec4> colors);
     template<class Id>
