@@ -23,6 +23,11 @@ QSpinBox* pixelField(const char* name, int most, QWidget* parent)
     return box;
 }
 
+int wholeSteps(int pixels, int step)
+{
+    return pixels - pixels % step;
+}
+
 } // namespace
 
 PictureSizeFields::PictureSizeFields(glm::ivec2 view, int mostPixelsASide, int step,
@@ -32,7 +37,8 @@ PictureSizeFields::PictureSizeFields(glm::ivec2 view, int mostPixelsASide, int s
       m_height(pixelField("pictureHeight", mostPixelsASide, this))
 {
     m_sizes->setObjectName(QStringLiteral("pictureSizes"));
-    m_sizes->addItem(tr("As in the window"), QSize(view.x - view.x % step, view.y - view.y % step));
+    m_sizes->addItem(tr("As in the window"),
+                     QSize(wholeSteps(view.x, step), wholeSteps(view.y, step)));
     m_sizes->addItem(tr("Full HD"), QSize(1920, 1080));
     m_sizes->addItem(tr("4K"), QSize(3840, 2160));
     m_sizes->addItem(tr("8K"), QSize(7680, 4320));
@@ -53,7 +59,7 @@ PictureSizeFields::PictureSizeFields(glm::ivec2 view, int mostPixelsASide, int s
         box->setSingleStep(step);
         connect(box, &QSpinBox::valueChanged, this, &PictureSizeFields::noteOwnSize);
         connect(box, &QSpinBox::editingFinished, this,
-                [box, step] { box->setValue(box->value() - box->value() % step); });
+                [box, step] { box->setValue(wholeSteps(box->value(), step)); });
     }
     chooseSize(0);
     const QSize last = QSettings().value(m_settingsKey).toSize(); // invalid: as the window
@@ -65,8 +71,7 @@ PictureSizeFields::PictureSizeFields(glm::ivec2 view, int mostPixelsASide, int s
 
 glm::ivec2 PictureSizeFields::chosen() const
 {
-    const auto whole = [this](int pixels) { return pixels - pixels % m_step; };
-    return {whole(m_width->value()), whole(m_height->value())};
+    return {wholeSteps(m_width->value(), m_step), wholeSteps(m_height->value(), m_step)};
 }
 
 void PictureSizeFields::remember() const

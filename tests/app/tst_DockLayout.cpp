@@ -22,7 +22,6 @@ private Q_SLOTS:
     void cleanup() { m_window.reset(); }
     void aWideWindowHasWidePanels();
     void theSidesAreAsBeforeWhenTheTimelineGoes();
-
     void oneThatIsPutBackIsInFront();
 
 private:
