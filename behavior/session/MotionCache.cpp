@@ -30,6 +30,12 @@ SessionPosePtr restOf(const SessionPose& pose)
     return rest;
 }
 
+FrameBlocks::Bytes sharedBytes(std::vector<std::byte> bytes)
+{
+    const auto shared = std::make_shared<const std::vector<std::byte>>(std::move(bytes));
+    return {shared, shared->data()};
+}
+
 } // namespace
 
 MotionCache::MotionCache(const MotionBudget& budget)
@@ -44,13 +50,13 @@ void MotionCache::add(const SessionPosePtr& pose)
         const std::scoped_lock lock(m_mutex);
         isFirst = m_pieces.empty() || m_pieces.back().frames.size() >= kPieceSteps;
     }
-    PoseWriter::Packed packed = m_writer.packed(*pose, isFirst ? nullptr : m_last.get());
+    const PoseWriter::Packed packed = m_writer.packed(*pose, isFirst ? nullptr : m_last.get());
     m_last = pose;
     Frame frame;
     frame.rest = restOf(*pose);
     frame.size = packed.bytes.size();
     frame.isDifference = packed.isDifference;
-    frame.bytes = std::make_shared<const std::vector<std::byte>>(std::move(packed.bytes));
+    frame.bytes = m_blocks.keep(packed.bytes);
     const std::scoped_lock lock(m_mutex);
     if (isFirst) {
         m_pieces.emplace_back();
@@ -74,13 +80,9 @@ bool MotionCache::addPiece(const MotionCache& other, std::size_t piece)
             if (!bytes) {
                 return false;
             }
-            const auto shared =
-                std::make_shared<const std::vector<std::byte>>(std::move(bytes).value());
+            const Bytes shared = sharedBytes(std::move(bytes).value());
             for (Frame& frame : copy.frames) {
-                const auto begin = shared->begin() + static_cast<std::ptrdiff_t>(frame.begin);
-                frame.bytes = std::make_shared<const std::vector<std::byte>>(
-                    begin, begin + static_cast<std::ptrdiff_t>(frame.size));
-                frame.begin = 0;
+                frame.bytes = Bytes(shared, shared.get() + frame.begin);
             }
         }
     }
@@ -125,7 +127,7 @@ void MotionCache::spill(Piece& piece)
     std::vector<std::byte> bytes;
     for (Frame& frame : piece.frames) {
         frame.begin = bytes.size();
-        bytes.insert(bytes.end(), frame.bytes->begin(), frame.bytes->end());
+        bytes.insert(bytes.end(), frame.bytes.get(), frame.bytes.get() + frame.size);
     }
     const auto written = m_file.write(bytes);
     if (!written) {
@@ -197,11 +199,11 @@ std::vector<MotionCache::Frame> MotionCache::framesTo(std::uint64_t number, std:
         if (!bytes) {
             return {};
         }
-        loaded.bytes = std::make_shared<const std::vector<std::byte>>(std::move(bytes).value());
+        loaded.bytes = sharedBytes(std::move(bytes).value());
         loaded.piece = number / kPieceSteps;
     }
     for (Frame& frame : frames) {
-        frame.bytes = loaded.bytes;
+        frame.bytes = Bytes(loaded.bytes, loaded.bytes.get() + frame.begin);
     }
     return frames;
 }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "behavior/session/FrameBlocks.h"
 #include "behavior/session/PoseBytes.h"
 #include "behavior/session/SessionPose.h"
 #include "model/document/SpillFile.h"
@@ -59,13 +60,13 @@ private:
     friend class TakeReading;
     friend class TakeWriting;
 
-    using Bytes = std::shared_ptr<const std::vector<std::byte>>;
+    using Bytes = FrameBlocks::Bytes;
     /// A step: the columns as bytes, all else as it was.
     struct Frame
     {
         SessionPosePtr rest;
         Bytes bytes;           ///< null: on disk, with its piece
-        std::size_t begin = 0; ///< in them
+        std::size_t begin = 0; ///< on disk, in its piece
         std::size_t size = 0;
         bool isDifference = false;
     };
@@ -100,6 +101,7 @@ private:
     const MotionBudget m_budget;
     // The adding thread's.
     PoseWriter m_writer;
+    FrameBlocks m_blocks;
     SessionPosePtr m_last;
     mutable std::mutex m_mutex;
     // Under the mutex.

@@ -21,7 +21,7 @@ SessionPosePtr MotionReader::read(std::uint64_t number)
     PoseColumns columns = m_last.columns;
     const auto frames = m_cache->framesTo(number, from, m_loaded);
     for (const MotionCache::Frame& frame : frames) {
-        const auto bytes = std::span(*frame.bytes).subspan(frame.begin, frame.size);
+        const std::span bytes(frame.bytes.get(), frame.size);
         if (!columns.read(bytes, frame.isDifference)) {
             return nullptr;
         }

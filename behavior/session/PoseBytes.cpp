@@ -167,12 +167,13 @@ PoseWriter::Packed PoseWriter::packed(const SessionPose& pose, const SessionPose
                           pose.seats.size() == before->seats.size();
     const SessionPose* then = packed.isDifference ? before : nullptr;
     const std::size_t groups = allGroups(counts);
-    const std::size_t most = sizeof(Counts) + groups * (1 + kGroupBytes) + kGroupBytes;
+    const std::size_t head = kSumBytes + sizeof(Counts);
+    const std::size_t most = head + groups * (1 + kGroupBytes) + kGroupBytes;
     if (m_room.size() < most) {
         m_room.resize(most);
     }
-    std::memcpy(m_room.data(), &counts, sizeof(Counts));
-    PackPlaces to{m_room.data() + sizeof(Counts), m_room.data() + sizeof(Counts) + groups};
+    std::memcpy(m_room.data() + kSumBytes, &counts, sizeof(Counts));
+    PackPlaces to{m_room.data() + head, m_room.data() + head + groups};
     eachColumn([&](auto column) {
         to = writeColumn(to, pose.*column, then != nullptr ? &(then->*column) : nullptr);
     });
@@ -183,11 +184,9 @@ PoseWriter::Packed PoseWriter::packed(const SessionPose& pose, const SessionPose
         to = packGroups(to, bytes, nullptr, kFadeWords / kGroup);
     }
     const auto size = static_cast<std::size_t>(to.data - m_room.data());
-    const std::uint64_t checksum = model::checksumOf({m_room.data(), size});
-    packed.bytes.reserve(kSumBytes + size);
-    const auto* sum = reinterpret_cast<const std::byte*>(&checksum);
-    packed.bytes.assign(sum, sum + kSumBytes);
-    packed.bytes.insert(packed.bytes.end(), m_room.data(), m_room.data() + size);
+    packed.bytes = std::span(m_room).first(size);
+    const std::uint64_t checksum = model::checksumOf(packed.bytes.subspan(kSumBytes));
+    std::memcpy(m_room.data(), &checksum, kSumBytes);
     return packed;
 }
 

@@ -19,8 +19,8 @@ class PoseWriter
 public:
     struct Packed
     {
-        std::vector<std::byte> bytes;
-        bool isDifference = false; ///< to be read only after the pose before
+        std::span<const std::byte> bytes; ///< until the next are packed
+        bool isDifference = false;        ///< to be read only after the pose before
     };
     /// Against the pose before, where there is one of the same people.
     [[nodiscard]] Packed packed(const SessionPose& pose, const SessionPose* before);

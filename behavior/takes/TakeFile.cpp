@@ -106,7 +106,7 @@ Result<std::vector<std::byte>> TakeWriting::bytesOfPiece(std::size_t index) cons
     }
     std::vector<std::byte> bytes;
     for (const Frame& frame : piece.frames) {
-        bytes.insert(bytes.end(), frame.bytes->begin(), frame.bytes->end());
+        bytes.insert(bytes.end(), frame.bytes.get(), frame.bytes.get() + frame.size);
     }
     return bytes;
 }

@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <deque>
 #include <random>
 
 #include <QtTest/QTest>
 
+#include "behavior/session/FrameBlocks.h"
 #include "behavior/session/MotionCache.h"
 #include "behavior/session/MotionReader.h"
 #include "behavior/session/PackKernel.h"
@@ -118,6 +120,13 @@ void compareAll(const CachePtr& cache, std::uint64_t first, std::uint64_t increm
     }
 }
 
+std::vector<std::byte> packedBytes(PoseWriter& writer, const SessionPose& pose,
+                                   const SessionPose* before)
+{
+    const auto bytes = writer.packed(pose, before).bytes;
+    return {bytes.begin(), bytes.end()};
+}
+
 } // namespace
 
 class TestMotionCache : public QObject
@@ -133,6 +142,7 @@ private Q_SLOTS:
     void aFullDiskForgetsTheEarliest();
     void fewBytesAreKept();
     void theSameTwice();
+    void whatIsKeptStays();
     void processorsPackTheSame();
     void damagedBytesAreNoPose_data();
     void damagedBytesAreNoPose();
@@ -230,6 +240,29 @@ void TestMotionCache::fewBytesAreKept()
     QVERIFY2(each < 24.0, qPrintable(QString::number(each)));
 }
 
+/// Also when what was kept before is let go, and where one is larger than the others together.
+void TestMotionCache::whatIsKeptStays()
+{
+    behavior::FrameBlocks blocks;
+    const auto piece = [](std::size_t number) {
+        const std::size_t size = number == 50 ? 5'000'000 : 1 + number * 977;
+        return std::vector<std::byte>(size, static_cast<std::byte>(number));
+    };
+    std::deque<behavior::FrameBlocks::Bytes> kept;
+    constexpr std::size_t kKept = 30;
+    for (std::size_t number = 0; number < 100; ++number) {
+        kept.push_back(blocks.keep(piece(number)));
+        if (kept.size() > kKept) {
+            kept.pop_front();
+        }
+    }
+    for (std::size_t i = 0; i < kKept; ++i) {
+        const auto bytes = piece(100 - kKept + i);
+        QVERIFY(std::equal(bytes.begin(), bytes.end(), kept[i].get()));
+    }
+    QVERIFY(blocks.keep({}) != nullptr);
+}
+
 void TestMotionCache::theSameTwice()
 {
     const SessionPosePtr before = poseOf(60, kPosed);
@@ -238,7 +271,7 @@ void TestMotionCache::theSameTwice()
     PoseWriter other;
     QVERIFY(other.packed(*before, nullptr).bytes.size() > 100); // what was done before is nothing
     QVERIFY(writer.packed(*now, before.get()).isDifference);
-    QCOMPARE(writer.packed(*now, before.get()).bytes, other.packed(*now, before.get()).bytes);
+    QCOMPARE(packedBytes(writer, *now, before.get()), packedBytes(other, *now, before.get()));
     QVERIFY(!writer.packed(*poseOf(71, kPosed), now.get()).isDifference); // fewer
 }
 
@@ -285,8 +318,8 @@ void TestMotionCache::damagedBytesAreNoPose()
 {
     QFETCH(const int, kind);
     const SessionPosePtr before = poseOf(60, kPosed);
-    const std::vector<std::byte> bytes =
-        PoseWriter().packed(*poseOf(61, kPosed), before.get()).bytes;
+    PoseWriter writer;
+    const auto bytes = packedBytes(writer, *poseOf(61, kPosed), before.get());
     const auto columnsOf = [](const SessionPose& pose) {
         PoseColumns columns;
         if (!columns.read(PoseWriter().packed(pose, nullptr).bytes, false)) {

@@ -22,7 +22,9 @@ constexpr std::uint64_t kToldSteps = 90;
 
 std::vector<std::byte> bytesOf(const Session& session)
 {
-    return PoseWriter().packed(*session.pose(), nullptr).bytes;
+    PoseWriter writer;
+    const auto bytes = writer.packed(*session.pose(), nullptr).bytes;
+    return {bytes.begin(), bytes.end()};
 }
 
 /// People who walk, and run where they hear an event.
