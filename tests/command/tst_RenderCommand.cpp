@@ -342,14 +342,11 @@ void RenderCommandTest::aFrameIsTheSameFromAnyRangeAndThreads_data()
 {
     QTest::addColumn<QString>("scene"); ///< empty: walkers
     QTest::newRow("people who begin to walk") << QString();
-#ifdef CROWD_SANITIZED // which finds nothing more in larger ones
-    const auto names = {"meadow"};
-#else
-    const auto names = {"theatre", "city", "meadow", "stadium"};
-#endif
-    for (const char* name : names) {
+#ifndef CROWD_SANITIZED // which finds nothing more in larger ones
+    for (const char* name : {"theatre", "city", "meadow", "stadium"}) {
         QTest::newRow(name) << QStringLiteral("builtin:scenes/%1.crowd").arg(QLatin1String(name));
     }
+#endif
 }
 
 void RenderCommandTest::aFrameIsTheSameFromAnyRangeAndThreads()
