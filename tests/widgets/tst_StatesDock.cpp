@@ -90,6 +90,37 @@ struct StatesDesk : crowd::testing::Desk<StatesDock>
         keepAs("small");
         setHeight(2.0F);
     }
+    [[nodiscard]] std::vector<model::IndividualId> everybody() const
+    {
+        const auto all = document.scene().population.ids();
+        return {all.begin(), all.end()};
+    }
+    void setClip(std::uint16_t clip)
+    {
+        document.edit(QStringLiteral("Clip"), [&](model::SceneEdit& edit) {
+            edit.setColumn(model::columns::clip, everybody(),
+                           std::span<const std::uint16_t>(&clip, 1));
+        });
+    }
+    [[nodiscard]] std::uint16_t shownClip(std::size_t row)
+    {
+        return state.frame()->population.column(model::columns::clip)[row];
+    }
+    /// A rule: whoever hears "sit" plays the third clip of the template.
+    void letThemSitAtTheWord()
+    {
+        model::actions::PlayClip sit;
+        sit.clips = {{document.scene().templates.front().asset->clips[2].name, 1.0F}};
+        sit.isLooped = true;
+        sit.seconds = 0.0F; // until something else comes
+        model::Rule rule;
+        rule.id = 1;
+        rule.name = "sit";
+        rule.trigger = model::triggers::Event{"sit"};
+        rule.actions = {sit};
+        document.edit(QStringLiteral("Rules"),
+                      [&](model::SceneEdit& edit) { edit.setRules({rule}); });
+    }
     /// So much real time passes.
     void play(double seconds)
     {
@@ -144,6 +175,8 @@ private Q_SLOTS:
     void takesItsTimeWhileItPlays();
     void whatIsPaintedNextIsSeenAtOnce();
     void whileNothingPlaysItIsAtOnce();
+    void whilePausedItEndsWhatRulesPlay_data();
+    void whilePausedItEndsWhatRulesPlay();
     void onlyForWhoIsSelected();
     void onlyInThisRun();
     void howItComesIsRemembered();
@@ -547,6 +580,40 @@ void TestStatesDock::whileNothingPlaysItIsAtOnce()
     QCOMPARE(desk.shownHeight(0), 1.0F);
     QCOMPARE(desk.document.scene().population.column(model::columns::height)[0], 1.0F);
     QVERIFY(!desk.state.session().isRunning());
+}
+
+void TestStatesDock::whilePausedItEndsWhatRulesPlay_data()
+{
+    QTest::addColumn<bool>("isChangedInScene");
+    QTest::newRow("the scene is like that already") << false;
+    QTest::newRow("the scene is not") << true;
+}
+
+/// What is shown is as the state is, whatever a rule lets people play.
+void TestStatesDock::whilePausedItEndsWhatRulesPlay()
+{
+    QFETCH(bool, isChangedInScene);
+    StatesDesk desk;
+    QVERIFY(desk.isReady());
+    (void)crowd::testing::addPeople(desk.document, 4);
+    desk.keepAs("calm");
+    desk.letThemSitAtTheWord();
+    if (isChangedInScene) {
+        desk.setClip(1);
+    }
+    desk.state.transport().setPlaying(true);
+    QTRY_VERIFY((desk.play(0.02), desk.state.session().isRunning()));
+    desk.state.session().send({"sit", 0.0F}, desk.everybody());
+    QTRY_COMPARE((desk.play(0.02), desk.shownClip(0)), std::uint16_t{2});
+    desk.state.transport().setPlaying(false);
+    desk.doubleClick(0);
+    QTRY_COMPARE(desk.shownClip(0), std::uint16_t{0});
+    QCOMPARE(desk.said, isChangedInScene
+                            ? QStringLiteral("“calm” recalled: 4 characters changed")
+                            : QStringLiteral("“calm” recalled in the run: the scene is like that "
+                                             "already"));
+    auto* text = desk.dock->findChild<QLabel*>(QStringLiteral("stateDifference"));
+    QTRY_COMPARE(text->text(), QStringLiteral("They are like that now."));
 }
 
 /// Also by keys, in the run.

@@ -182,6 +182,7 @@ void SessionControl::changeOver(const model::ChangeOver& change)
             std::make_unique<ChangingPeople>(ChangingPeople{change, m_document.scene().population});
         m_changing->change.timing = isSeen ? change.timing : model::RecallTiming();
         m_hand.start(); // also where nobody changes: what comes later is no part of it
+        goToEdit();     // rules may have changed whom the scene has like that already
     }
 }
 
