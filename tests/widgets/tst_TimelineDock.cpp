@@ -11,8 +11,10 @@
 
 #include "model/document/SceneEdit.h"
 #include "model/rules/RuleSets.h"
+#include "model/states/StateKeeping.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
+#include "widgets/commands/StateCommands.h"
 #include "widgets/docks/TimelineDock.h"
 #include "widgets/forms/FieldForm.h"
 #include "widgets/state/Cues.h"
@@ -106,6 +108,7 @@ class TestTimelineDock : public QObject
 
 private Q_SLOTS:
     void aDoubleClickMakesAMark();
+    void aStateThatIsChosenIsRecalledAsItWouldBe();
     void marksAreDraggedAndCopied();
     void whatIsUndoneUnderTheHandIsLetGo();
     void theChosenAreRemoved();
@@ -152,6 +155,31 @@ void TestTimelineDock::aDoubleClickMakesAMark()
     desk.document.undoStack().undo();
     desk.document.undoStack().undo();
     QVERIFY(desk.marks().empty() && desk.view().chosen().empty());
+}
+
+/// As the panel States would recall it now.
+void TestTimelineDock::aStateThatIsChosenIsRecalledAsItWouldBe()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    for (const char* name : {"calm", "wild"}) {
+        QVERIFY(keepStateAs(desk.state, QLatin1String(name),
+                            model::columnsOf(model::PropertyAspect::Size), StateReach::Everybody,
+                            0));
+    }
+    const model::StateId wild = desk.document.scene().states[1].id;
+    QCOMPARE(desk.state.chosenState(), wild);
+    RecallSettings recall;
+    recall.timing.seconds = 2.0F;
+    recall.timing.stagger.seconds = 6.0F;
+    desk.state.setRecall(recall);
+    desk.doubleClick(model::MarkKind::State, 3.0);
+    QCOMPARE(desk.marks().back().state, wild);
+    QCOMPARE(desk.marks().back().fade, 2.0F);
+    QCOMPARE(desk.marks().back().spread, 6.0F);
+    desk.state.chooseState(0);
+    desk.doubleClick(model::MarkKind::State, 6.0);
+    QCOMPARE(desk.marks().back().state, desk.document.scene().states[0].id);
 }
 
 void TestTimelineDock::marksAreDraggedAndCopied()

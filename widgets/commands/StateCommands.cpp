@@ -61,7 +61,11 @@ QString quoted(const std::string& name)
 void say(EditorState& state, const QString& name, const model::StateRecall& recall)
 {
     QStringList said;
-    said << (recall.changed.empty()
+    const bool isRunning = state.session().isRunning();
+    said << (recall.changed.empty() && isRunning
+                 ? StatesText::tr("“%1” recalled in the run: the scene is like that already")
+                       .arg(name)
+             : recall.changed.empty()
                  ? StatesText::tr("“%1”: all of them are like that already").arg(name)
                  : StatesText::tr("“%1” recalled: %n characters changed", nullptr,
                                   static_cast<int>(recall.changed.size()))
@@ -82,15 +86,6 @@ OnlyThese recallsFor(const EditorState& state)
     }
     const auto ids = state.selection().ids();
     return std::vector<model::IndividualId>(ids.begin(), ids.end());
-}
-
-/// Along the view means away from where one looks from.
-model::RecallTiming timingNow(const EditorState& state)
-{
-    model::RecallTiming timing = state.recall().timing;
-    const glm::vec3 forward = state.camera().forward();
-    timing.stagger.headingRadians = std::atan2(forward.x, forward.z);
-    return timing;
 }
 
 void recallInRun(EditorState& state, const State& kept, const OnlyThese& only)
@@ -114,6 +109,14 @@ void recallInRun(EditorState& state, const State& kept, const OnlyThese& only)
 }
 
 } // namespace
+
+model::RecallTiming timingNow(const EditorState& state)
+{
+    model::RecallTiming timing = state.recall().timing;
+    const glm::vec3 forward = state.camera().forward();
+    timing.stagger.headingRadians = std::atan2(forward.x, forward.z);
+    return timing;
+}
 
 QString freeStateName(const model::Scene& scene)
 {

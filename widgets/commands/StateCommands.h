@@ -17,6 +17,8 @@ namespace crowd::widgets {
 /// Of whom a state is kept.
 enum class StateReach : std::uint8_t { Everybody, Selected, Group };
 
+/// As a state is recalled now; along the view means away from where one looks from.
+[[nodiscard]] model::RecallTiming timingNow(const EditorState& state);
 /// "State 3": a name that none has.
 [[nodiscard]] QString freeStateName(const model::Scene& scene);
 /// As they are seen now, also while it plays. Whether there was somebody to keep it of.

@@ -9,6 +9,7 @@
 
 #include "model/document/SceneEdit.h"
 #include "model/rules/RuleSets.h"
+#include "widgets/commands/StateCommands.h"
 #include "widgets/commands/ViewCommands.h"
 #include "widgets/state/Cues.h"
 #include "widgets/state/Scrub.h"
@@ -66,12 +67,15 @@ QString nameOfCue(const model::Scene& scene, model::CueId id)
 }
 
 /// What a new mark does, so that it does something at once.
-void beginWith(Mark& mark, const model::Scene& scene)
+void beginWith(Mark& mark, const EditorState& state)
 {
+    const model::Scene& scene = state.scene();
     if (mark.kind == MarkKind::Cue && !scene.cues.empty()) {
         mark.cue = scene.cues.front().id;
     } else if (mark.kind == MarkKind::State && !scene.states.empty()) {
-        mark.state = scene.states.front().id;
+        const auto chosen = std::ranges::find(scene.states, state.chosenState(), &model::State::id);
+        mark.state = chosen != scene.states.end() ? chosen->id : scene.states.front().id;
+        mark.setTiming(timingNow(state));
     } else if (mark.kind == MarkKind::Event) {
         const auto events = model::eventsOf(scene);
         mark.event = events.empty() ? std::string() : events.front();
@@ -144,7 +148,7 @@ MarkId addMark(EditorState& state, MarkKind kind, double seconds)
     mark.id = model::freeMarkId(timeline);
     mark.kind = kind;
     mark.seconds = std::clamp(seconds, 0.0, model::kLatestMark);
-    beginWith(mark, state.scene());
+    beginWith(mark, state);
     if (mark.id == 0) {
         state.showStatus(MarkText::tr("A timeline has at most %1 marks: remove some first.")
                              .arg(model::kMostMarks));
