@@ -395,6 +395,11 @@ void TestTakes::someActAgainAndOthersDoWhatTheyDid()
     document().undoStack().undo();
     QCOMPARE(session().take(), takes().front().id);
     QCOMPARE(xAt(1.4, 1), before);
+    // At its end nothing is left of it: all of it, then.
+    transport().setSeconds(takes().front().end);
+    press(Qt::Key_J);
+    QTRY_COMPARE_WITH_TIMEOUT(takes().size(), std::size_t{2}, kPatienceMs);
+    document().undoStack().undo();
     // Nobody selected: it says whom it wants.
     state().selection().set({});
     press(Qt::Key_J);

@@ -27,7 +27,9 @@ std::pair<double, double> stretchOf(const EditorState& state, const model::Take&
     if (how.stretch == model::RetakeStretch::PlayRange && isRange) {
         return {range.begin, range.end};
     }
-    const double now = state.transport().seconds();
+    const double shown = state.transport().seconds();
+    // At its end, where it stops by itself, nothing is left to be taken again: all of it, then.
+    const double now = shown < take.end ? shown : take.begin;
     return {now, how.stretch == model::RetakeStretch::ForSeconds
                      ? std::min(take.end, now + static_cast<double>(how.seconds))
                      : take.end};
