@@ -6,6 +6,7 @@
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QEvent>
+#include <QtGui/QKeySequence>
 #include <QtGui/QPainter>
 #include <QtWidgets/QGridLayout>
 #include <QtWidgets/QScrollArea>
@@ -65,8 +66,10 @@ BrushPaletteDock::BrushPaletteDock(EditorState& state, QWidget* parent)
     m_grid->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
     for (const ToolInfo& info : toolTable()) {
         const QString name = QCoreApplication::translate("Tools", info.name);
+        const QString keys = QKeySequence(QLatin1String(info.shortcut), QKeySequence::PortableText)
+                                 .toString(QKeySequence::NativeText);
         QToolButton* button =
-            addButton(name, QStringLiteral("%1  (%2)").arg(name, QLatin1String(info.shortcut)));
+            addButton(name, keys.isEmpty() ? name : QStringLiteral("%1  (%2)").arg(name, keys));
         button->setObjectName(QLatin1String(info.stableId));
         const ToolId id = info.id;
         connect(button, &QToolButton::clicked, this, [this, id] {
