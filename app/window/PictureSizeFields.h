@@ -6,6 +6,7 @@
 
 #include <glm/vec2.hpp>
 
+class QCheckBox;
 class QComboBox;
 class QSpinBox;
 
@@ -29,12 +30,15 @@ public:
 private:
     void chooseSize(int index);
     void noteOwnSize();
+    void changeTheOther(const QSpinBox* changed);
 
     const int m_step;
     QString m_settingsKey;
     QComboBox* m_sizes;
     QSpinBox* m_width;
     QSpinBox* m_height;
+    QCheckBox* m_proportions;
+    double m_widthToHeight = 1.0; ///< where proportions are kept
 };
 
 } // namespace crowd::app

@@ -17,6 +17,7 @@
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QSpinBox>
 
+#include "app/window/PictureSizeFields.h"
 #include "tests/app/SceneWindow.h"
 #include "tests/program/MovieContent.h"
 #include "tests/program/WindowTest.h"
@@ -59,6 +60,7 @@ private Q_SLOTS:
     void ofTheSceneFromItsBeginning();
     void ofWhatHasBeenPlayed();
     void sizesAreEven();
+    void proportionsAreKept();
     void asTheTimelineMovesTheCamera();
     void asNumberedPictures();
     void nothingStaysOfWhatIsCancelled();
@@ -129,6 +131,38 @@ void TestMakeMovie::sizesAreEven()
         dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieTo"))->setValue(0.1);
     });
     QTRY_VERIFY_WITH_TIMEOUT(m_window->isFree(), 6 * kPatienceMs);
+}
+
+void TestMakeMovie::proportionsAreKept()
+{
+    const QString key = QStringLiteral("test/size");
+    const auto part = [](const QWidget& fields, const char* name) {
+        return fields.findChild<QSpinBox*>(QLatin1String(name));
+    };
+    app::PictureSizeFields fields({1000, 500}, 4000, 2, key, nullptr);
+    QSpinBox* width = part(fields, "pictureWidth");
+    QSpinBox* height = part(fields, "pictureHeight");
+    width->setValue(800);
+    QCOMPARE(height->value(), 500);
+    auto* keep = fields.findChild<QCheckBox*>(QStringLiteral("keepProportions"));
+    QTest::mouseClick(keep, Qt::LeftButton, {}, {8, keep->height() / 2});
+    QVERIFY(keep->isChecked());
+    width->setValue(400);
+    QCOMPARE(height->value(), 250);
+    height->setValue(500);
+    QCOMPARE(width->value(), 800);
+    QCOMPARE(fields.findChild<QComboBox*>(QStringLiteral("pictureSizes"))->currentText(),
+             QStringLiteral("Another size"));
+    height->setValue(4000); // more width than there is
+    QCOMPARE(width->value(), 4000);
+    auto* sizes = fields.findChild<QComboBox*>(QStringLiteral("pictureSizes"));
+    sizes->setCurrentIndex(sizes->findText(QStringLiteral("Square")));
+    width->setValue(600);
+    QCOMPARE(height->value(), 600);
+    fields.remember();
+    const app::PictureSizeFields next({1000, 500}, 4000, 2, key, nullptr);
+    part(next, "pictureWidth")->setValue(300);
+    QCOMPARE(part(next, "pictureHeight")->value(), 300);
 }
 
 void TestMakeMovie::asTheTimelineMovesTheCamera()
