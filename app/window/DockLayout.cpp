@@ -172,13 +172,20 @@ void DockLayout::fitToolBars()
     }
 }
 
+QRect DockLayout::placeOnSmallScreen(const QRect& screen, const QSize& least)
+{
+    const QSize size = kSize.boundedTo(screen.size() * 9 / 10);
+    QRect place(screen.topLeft(), size.expandedTo(least));
+    place.translate(0, std::max(0, (screen.height() - place.height()) / 2));
+    return place;
+}
+
 void DockLayout::fitToScreen()
 {
     const QRect screen = m_window.screen()->availableGeometry();
     if (screen.width() < kRoomyScreen.width() || screen.height() < kRoomyScreen.height()) {
         // For when it is no longer so large.
-        const QSize size = kSize.boundedTo(screen.size() * 9 / 10);
-        m_window.setGeometry({screen.topLeft(), size.expandedTo(m_window.minimumSizeHint())});
+        m_window.setGeometry(placeOnSmallScreen(screen, m_window.minimumSizeHint()));
         m_window.setWindowState(m_window.windowState() | Qt::WindowMaximized);
         return;
     }

@@ -5,6 +5,8 @@
 
 #include <QtCore/QByteArray>
 #include <QtCore/QObject>
+#include <QtCore/QRect>
+#include <QtCore/QSize>
 #include <QtCore/QTimer>
 #include <QtWidgets/QDockWidget>
 #include <QtWidgets/QMainWindow>
@@ -55,6 +57,9 @@ public:
     /// Hides panels and tool bars, or shows those that were there before.
     void setHidden(bool isHidden);
     [[nodiscard]] bool isHidden() const { return !m_beforeHiding.isEmpty(); }
+    /// Where the window is on a small screen when it does not fill it, without its frame: the title
+    /// above it can be grasped.
+    [[nodiscard]] static QRect placeOnSmallScreen(const QRect& screen, const QSize& least);
 
 Q_SIGNALS:
     void hiddenChanged(bool isHidden);

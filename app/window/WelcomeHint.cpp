@@ -80,7 +80,8 @@ void WelcomeHint::place()
     text->setWordWrap(whole.width() > room);
     const int across = std::min(whole.width(), room);
     resize(across, text->wordWrap() ? layout()->heightForWidth(across) : whole.height());
-    move((parentWidget()->width() - width()) / 2, kBorder);
+    // Below: legends and what is going on are told above.
+    move((parentWidget()->width() - width()) / 2, parentWidget()->height() - height() - kBorder);
 }
 
 bool WelcomeHint::eventFilter(QObject* picture, QEvent* event)

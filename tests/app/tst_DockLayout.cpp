@@ -23,6 +23,7 @@ private Q_SLOTS:
     void aWideWindowHasWidePanels();
     void theSidesAreAsBeforeWhenTheTimelineGoes();
     void oneThatIsPutBackIsInFront();
+    void onASmallScreenItsTitleCanBeGrasped();
 
 private:
     [[nodiscard]] QDockWidget* dock(app::DockId id) const
@@ -65,6 +66,17 @@ void TestDockLayout::oneThatIsPutBackIsInFront()
     QTRY_VERIFY(!dock(app::DockId::Groups)->visibleRegion().isEmpty());
     light->setFloating(false);
     QTRY_VERIFY(!light->visibleRegion().isEmpty());
+}
+
+void TestDockLayout::onASmallScreenItsTitleCanBeGrasped()
+{
+    const QRect screen(100, 50, 1280, 720);
+    const QRect place = app::DockLayout::placeOnSmallScreen(screen, {1150, 600});
+    QVERIFY(place.top() >= screen.top() + 24);
+    QVERIFY2(screen.contains(place), "all of it is on the screen");
+    QVERIFY(place.width() >= 1150);
+    const QRect large = app::DockLayout::placeOnSmallScreen(screen, {1300, 740});
+    QCOMPARE(large.topLeft(), screen.topLeft()); // as much of it as there is room for
 }
 
 CROWD_WINDOW_TEST(TestDockLayout)

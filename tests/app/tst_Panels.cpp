@@ -709,6 +709,7 @@ void PanelsTest::smallWindowCutsNothingOff()
     const auto* hint = m_window->viewport().findChild<QWidget*>(QStringLiteral("welcomeHint"));
     QVERIFY2(m_window->viewport().rect().contains(hint->geometry()),
              qPrintable(QString::number(m_window->viewport().width())));
+    QVERIFY2(hint->y() > m_window->viewport().height() / 2, "legends are above");
     const auto* text = hint->findChild<QLabel*>();
     QVERIFY(text->height() >= text->heightForWidth(text->width()));
     m_window->resize(1600, 700);
