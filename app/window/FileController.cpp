@@ -14,6 +14,7 @@
 #include <QtWidgets/QMessageBox>
 #include <QtWidgets/QPushButton>
 
+#include "app/window/ReadyNames.h"
 #include "app/window/RecentFiles.h"
 #include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
@@ -158,7 +159,7 @@ void FileController::openPath(const QString& path)
         return;
     }
     if (const QFileInfo file(path); examples().contains(file.absoluteFilePath())) {
-        load({{}, path, file.completeBaseName(), false});
+        load({{}, path, exampleName(path), false, true});
         return;
     }
     if (const auto opening = chooseVersion(path)) {
@@ -288,6 +289,9 @@ void FileController::load(const Opening& opening)
                 return;
             }
             if (mayStillLeaveScene(revision)) {
+                if (opening.isExample) {
+                    translateNames(scene.value());
+                }
                 take(std::move(scene).value(), opening);
                 m_stamp = stamp;
             }

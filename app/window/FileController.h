@@ -73,6 +73,7 @@ private:
         QString file;
         QString name; ///< of one that is not saved yet; may be empty
         bool isRecovery = false;
+        bool isExample = false; ///< it comes with the program
     };
     enum class RecoveryAnswer { Recover, ThrowAway, Cancel };
 

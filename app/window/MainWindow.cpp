@@ -23,6 +23,7 @@
 #include "app/window/MemoryRelease.h"
 #include "app/window/ModalKeys.h"
 #include "app/window/PreferencesDialog.h"
+#include "app/window/ReadyNames.h"
 #include "app/window/RecentFiles.h"
 #include "app/window/StatusPanel.h"
 #include "app/window/StepMenu.h"
@@ -324,10 +325,7 @@ void MainWindow::fillRecentMenu()
 void MainWindow::fillExamplesMenu(QMenu* menu)
 {
     for (const QString& path : FileController::examples()) {
-        QString name =
-            QFileInfo(path).completeBaseName().replace(QLatin1Char('_'), QLatin1Char(' '));
-        name[0] = name[0].toUpper();
-        connect(menu->addAction(name), &QAction::triggered, &m_files,
+        connect(menu->addAction(exampleName(path)), &QAction::triggered, &m_files,
                 [this, path] { m_files.openPath(path); });
     }
     menu->setEnabled(!menu->isEmpty());

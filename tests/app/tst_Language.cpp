@@ -18,10 +18,13 @@
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QStatusBar>
 #include <QtWidgets/QTabBar>
+#include <QtWidgets/QToolButton>
 
 #include "app/console/ConsoleDock.h"
 #include "app/window/MainWindow.h"
 #include "app/window/PreferencesDialog.h"
+#include "app/window/ReadyNames.h"
+#include "model/project/ProjectFile.h"
 #include "model/project/ProjectWriter.h"
 #include "tests/app/SceneWindow.h"
 #include "tests/program/WindowTest.h"
@@ -200,6 +203,21 @@ model::Scene busyScene()
     return scene;
 }
 
+/// Of its cameras, lights and states.
+std::vector<std::string> names(const model::Scene& scene)
+{
+    std::vector<std::string> all;
+    const auto add = [&all](const auto& items) {
+        for (const auto& item : items) {
+            all.push_back(item.name);
+        }
+    };
+    add(scene.cameras);
+    add(scene.lights);
+    add(scene.states);
+    return all;
+}
+
 } // namespace
 
 /// Another language takes effect at once, everywhere, and nothing is lost.
@@ -221,6 +239,7 @@ private Q_SLOTS:
     void theMenuChoosesAndItIsRemembered();
     void preferencesChooseItToo();
     void qtSpeaksItToo();
+    void readyMadeScenesSpeakItToo();
 
 private:
     void workOn();
@@ -455,6 +474,34 @@ void LanguageTest::qtSpeaksItToo()
              QStringLiteral("Strg+S"));
     QCOMPARE(QKeySequence(Qt::CTRL | Qt::Key_Return).toString(QKeySequence::NativeText),
              QStringLiteral("Strg+Eingabe"));
+    QStringList tips;
+    for (const QToolButton* button :
+         m_window->dockLayout().dock(app::DockId::Brushes)->findChildren<QToolButton*>()) {
+        tips << button->toolTip();
+    }
+    QVERIFY(tips.filter(QStringLiteral("(Umschalt+R)")).size() == 1);
+    QVERIFY(tips.filter(QStringLiteral("Shift")).isEmpty());
+}
+
+void LanguageTest::readyMadeScenesSpeakItToo()
+{
+    for (const QString& example : app::FileController::examples()) {
+        const model::Scene scene = model::readProject(example).value();
+        for (const std::string& name : names(scene)) {
+            QVERIFY2(app::isReadyName(name), name.c_str());
+        }
+    }
+    change(QStringLiteral("de"));
+    QSignalSpy opened(&m_window->files(), &app::FileController::sceneOpened);
+    m_window->files().openPath(app::FileController::examples().front());
+    QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 3 * kPatienceMs);
+    const std::vector<std::string> german = names(document().scene());
+    QVERIFY(std::ranges::count(german, "Tribüne links") == 1);
+    QVERIFY2(std::ranges::none_of(german, app::isReadyName), "one has no German");
+    QVERIFY(document().undoStack().isClean());
+    QVERIFY(m_window->windowTitle().startsWith(QStringLiteral("Theater")));
+    QCOMPARE(app::translatedName("Street lamp 12"), QStringLiteral("Straßenlampe 12"));
+    QCOMPARE(app::translatedName("Stand 2b"), QStringLiteral("Stand 2b"));
 }
 
 CROWD_WINDOW_TEST(LanguageTest)

@@ -63,7 +63,7 @@ void WelcomeTest::clickOnThePictureOfTheCityOpensIt()
     QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 6 * kPatienceMs);
     QTRY_VERIFY(page() == nullptr);
     QVERIFY(document().scene().population.size() > 200);
-    QCOMPARE(m_window->files().documentName(), QStringLiteral("city"));
+    QCOMPARE(m_window->files().documentName(), QStringLiteral("City"));
     QVERIFY2(document().path().isEmpty(), "saving must not write into the program's own files");
 }
 
@@ -125,7 +125,7 @@ void WelcomeTest::keyboardReachesEveryChoice()
     QSignalSpy opened(&m_window->files(), &app::FileController::sceneOpened);
     QTest::keyClick(meadow, Qt::Key_Space);
     QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 6 * kPatienceMs);
-    QCOMPARE(m_window->files().documentName(), QStringLiteral("meadow"));
+    QCOMPARE(m_window->files().documentName(), QStringLiteral("Meadow"));
 }
 
 /// The hint in the picture behind names it.
