@@ -3,6 +3,7 @@ crowd_add_tests(ROOM app LINK crowd_app TESTS
     tst_DescribedStruct
     tst_DockLayout
     tst_FindByName
+    tst_ImportedFiles
     tst_Interruptions
     tst_Language
     tst_LookMenu
