@@ -6602,6 +6602,141 @@
     </message>
 </context>
 <context>
+    <name>ReadyNames</name>
+    <message>
+        <source>Above</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>Audience</source>
+        <translation>Publikum</translation>
+    </message>
+    <message>
+        <source>Back row</source>
+        <translation>Hinterste Reihe</translation>
+    </message>
+    <message>
+        <source>Beetles</source>
+        <translation>Käfer</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Nah</translation>
+    </message>
+    <message>
+        <source>Eye to eye</source>
+        <translation>Auge in Auge</translation>
+    </message>
+    <message>
+        <source>Fountain</source>
+        <translation>Brunnen</translation>
+    </message>
+    <message>
+        <source>From the bridge</source>
+        <translation>Von der Brücke</translation>
+    </message>
+    <message>
+        <source>From the side</source>
+        <translation>Von der Seite</translation>
+    </message>
+    <message>
+        <source>From the stage</source>
+        <translation>Von der Bühne</translation>
+    </message>
+    <message>
+        <source>From the top row</source>
+        <translation>Aus der obersten Reihe</translation>
+    </message>
+    <message>
+        <source>Horses</source>
+        <translation>Pferde</translation>
+    </message>
+    <message>
+        <source>Machines</source>
+        <translation>Maschinen</translation>
+    </message>
+    <message>
+        <source>Meadow</source>
+        <translation>Wiese</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>Spielfeld</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>Stand</source>
+        <translation>Tribüne</translation>
+    </message>
+    <message>
+        <source>Whole theatre</source>
+        <translation>Ganzes Theater</translation>
+    </message>
+    <message>
+        <source>Floodlight</source>
+        <translation>Flutlicht</translation>
+    </message>
+    <message>
+        <source>Landing pad</source>
+        <translation>Landeplatz</translation>
+    </message>
+    <message>
+        <source>Left stand</source>
+        <translation>Tribüne links</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Picnic</source>
+        <translation>Picknick</translation>
+    </message>
+    <message>
+        <source>Right stand</source>
+        <translation>Tribüne rechts</translation>
+    </message>
+    <message>
+        <source>Stage left</source>
+        <translation>Bühne links</translation>
+    </message>
+    <message>
+        <source>Stage right</source>
+        <translation>Bühne rechts</translation>
+    </message>
+    <message>
+        <source>Street lamp</source>
+        <translation>Straßenlampe</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>Ruhig</translation>
+    </message>
+    <message>
+        <source>Cheering</source>
+        <translation>Jubel</translation>
+    </message>
+    <message>
+        <source>Disappointed</source>
+        <translation>Enttäuscht</translation>
+    </message>
+    <message>
+        <source>City</source>
+        <translation>Stadt</translation>
+    </message>
+    <message>
+        <source>Stadium</source>
+        <translation>Stadion</translation>
+    </message>
+    <message>
+        <source>Theatre</source>
+        <translation>Theater</translation>
+    </message>
+</context>
+<context>
     <name>RelationCommands</name>
     <message>
         <source>A scene has at most %1 relations: remove one first.</source>
@@ -8832,6 +8967,10 @@
         <source>Nobody is selected for whom “%1” could be recalled.</source>
         <translation>Niemand ist ausgewählt, für den „%1“ abgerufen werden könnte.</translation>
     </message>
+    <message>
+        <source>“%1” recalled in the run: the scene is like that already</source>
+        <translation>„%1“ im Lauf abgerufen: Die Szene ist schon so</translation>
+    </message>
 </context>
 <context>
     <name>StatureNote</name>
@@ -10176,6 +10315,14 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>8K</source>
         <translation>8K</translation>
+    </message>
+    <message>
+        <source>Keep proportions</source>
+        <translation>Seitenverhältnis beibehalten</translation>
+    </message>
+    <message>
+        <source>A new width gives a new height, and the other way round</source>
+        <translation>Eine neue Breite gibt eine neue Höhe und umgekehrt</translation>
     </message>
 </context>
 <context>

@@ -6602,6 +6602,141 @@
     </message>
 </context>
 <context>
+    <name>ReadyNames</name>
+    <message>
+        <source>Above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Audience</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beetles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eye to eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fountain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the bridge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the top row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Horses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Machines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meadow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole theatre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Floodlight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Landing pad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left stand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picnic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right stand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Street lamp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cheering</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disappointed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>City</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stadium</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Theatre</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>RelationCommands</name>
     <message>
         <source>A scene has at most %1 relations: remove one first.</source>
@@ -8832,6 +8967,10 @@
         <source>Nobody is selected for whom “%1” could be recalled.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>“%1” recalled in the run: the scene is like that already</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>StatureNote</name>
@@ -10169,6 +10308,14 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>8K</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep proportions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A new width gives a new height, and the other way round</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
