@@ -27,9 +27,10 @@ std::pair<double, double> stretchOf(const EditorState& state, const model::Take&
     if (how.stretch == model::RetakeStretch::PlayRange && isRange) {
         return {range.begin, range.end};
     }
-    const double shown = state.transport().seconds();
-    // At its end, where it stops by itself, nothing is left to be taken again: all of it, then.
-    const double now = shown < take.end ? shown : take.begin;
+    const double now = state.transport().seconds();
+    if (how.stretch == model::RetakeStretch::PlayRange && now >= take.end) {
+        return {take.begin, take.end}; // nobody has said from where, and nothing is left of it
+    }
     return {now, how.stretch == model::RetakeStretch::ForSeconds
                      ? std::min(take.end, now + static_cast<double>(how.seconds))
                      : take.end};
