@@ -42,6 +42,16 @@ private Q_SLOTS:
     void changedClipsAreOneUndoStep();
     void libraryAddsWhomTheArtistChooses();
     void unsupportedFileIsRefusedAtOnce();
+
+private:
+    /// Templates that the create brush paints.
+    [[nodiscard]] std::size_t mixSize() const
+    {
+        return m_window->state()
+            .brush(model::BrushKind::Create)
+            .as<model::CreateSettings>()
+            .mix.size();
+    }
 };
 
 void ImportedFilesTest::droppedModelBecomesATemplate()
@@ -112,11 +122,7 @@ void ImportedFilesTest::severalImportedFilesAreOneMix()
     QTRY_VERIFY(!m_window->assets().isBusy());
     QCOMPARE(dialogs, 3);
     QCOMPARE(document().scene().templates.size(), std::size_t{3});
-    QCOMPARE(m_window->state()
-                 .brush(model::BrushKind::Create)
-                 .as<crowd::model::CreateSettings>()
-                 .mix.size(),
-             std::size_t{2});
+    QCOMPARE(mixSize(), std::size_t{2});
 }
 
 void ImportedFilesTest::severalDroppedFilesNeedOneAnswer()
@@ -233,11 +239,7 @@ void ImportedFilesTest::libraryAddsWhomTheArtistChooses()
     QVERIFY(answer.hasAnswered());
     QVERIFY(offered.size() > 10);
     QCOMPARE(document().scene().templates.size(), std::size_t{3});
-    QCOMPARE(m_window->state()
-                 .brush(model::BrushKind::Create)
-                 .as<crowd::model::CreateSettings>()
-                 .mix.size(),
-             std::size_t{2});
+    QCOMPARE(mixSize(), std::size_t{2});
     document().undoStack().undo();
     QCOMPARE(document().scene().templates.size(), std::size_t{1});
 }
