@@ -41,7 +41,8 @@ struct MovieJob
     model::CrowdFramePtr shown;                 ///< whom the run does not have
     std::shared_ptr<behavior::MotionCache> run; ///< null: the scene from its beginning
     TimeSpan span;
-    double earliest = 0.0; ///< seconds: nothing is known of what was before
+    double earliest = 0.0;   ///< seconds: nothing is known of what was before
+    double posedSince = 0.0; ///< seconds: before that the run had not begun
     double framesPerSecond = 30.0;
     PicturePasses passes;
     bool isResumed = false; ///< numbered pictures that are there stay
@@ -99,6 +100,11 @@ private:
     }
     [[nodiscard]] model::Result<model::CrowdFramePtr> ofRun(double seconds)
     {
+        auto frame = std::make_shared<model::CrowdFrame>(*m_job.shown);
+        frame->seconds = seconds;
+        if (seconds < m_job.posedSince) {
+            return model::CrowdFramePtr(std::move(frame));
+        }
         const auto [before, after] = m_reader->around(seconds);
         if (!before) {
             return model::Error{
@@ -106,8 +112,6 @@ private:
                                               "it again, or begin the movie later."),
                 seconds};
         }
-        auto frame = std::make_shared<model::CrowdFrame>(*m_job.shown);
-        frame->seconds = seconds;
         behavior::applyPose(*before, *after, *frame);
         return model::CrowdFramePtr(std::move(frame));
     }
@@ -358,6 +362,7 @@ void MovieController::draw(const QString& path, const MovieDialog& chosen)
         // A take is seen as the scene shows it, with what was done to people by hand.
         job.run = m_state.session().take() == 0 ? m_state.session().motion() : nullptr;
         job.earliest = m_state.session().firstSeconds();
+        job.posedSince = m_state.session().posedSince();
         job.shown = m_state.document().frame(job.span.from);
     }
     if (const int there = countThere(job); there > 0 && !askOfThose(there, job.isResumed)) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <utility>
 
 #include <QtGui/QUndoStack>
 #include <QtTest/QSignalSpy>
@@ -115,6 +116,7 @@ private Q_SLOTS:
     void theFormChangesTheMark();
     void whatIsPerformedIsRecorded();
     void aMarkThatIsAnotherIsPlayedAnew();
+    void aMarkBeforeTheRunIsPlayedToo();
     void theRulerShowsWhatWasPlayed();
     void itGoesFromMarkToMark();
     void timesAreShownInFrames();
@@ -334,10 +336,75 @@ void TestTimelineDock::aMarkThatIsAnotherIsPlayedAnew()
     desk.document.undoStack().undo(); // the next one before the first is done
     QTRY_COMPARE_WITH_TIMEOUT(isListed(0.9, 1.2), 4, kTimelinePatienceMs);
     QCOMPARE(fired(), std::uint64_t{4});
+    // From an earlier moment on: all that was played can be seen again, as it is now.
+    desk.state.transport().setSeconds(0.5);
+    mark.seconds = 1.3;
+    desk.document.edit(QStringLiteral("Other"), [&mark](model::SceneEdit& edit) {
+        edit.set<model::members::Timeline>({mark});
+    });
+    QCOMPARE(desk.state.session().liveSeconds(), shown);
+    QTRY_COMPARE_WITH_TIMEOUT(isListed(1.2, 1.5), 4, kTimelinePatienceMs);
+    QCOMPARE(isListed(0.9, 1.1), 0);
     // A name for a moment, or for a mark, changes nothing.
     const auto number = desk.state.session().firings().begin();
     (void)addMark(desk.state, model::MarkKind::Marker, 0.5);
     QCOMPARE(desk.state.session().firings().begin(), number);
+}
+
+/// The run that a mark begins late has what marks before it do, and all of it can be seen again.
+void TestTimelineDock::aMarkBeforeTheRunIsPlayedToo()
+{
+    TimelineDesk desk;
+    QVERIFY(desk.isReady());
+    model::Scene scene = desk.document.scene();
+    model::Rule rule = std::exchange(scene.rules, {})[0];
+    desk.document.replaceScene(std::move(scene), {});
+    desk.playTo(2.0);
+    SessionControl& session = desk.state.session();
+    QVERIFY(!session.isRunning());
+    desk.document.edit(QStringLiteral("Rule"), [&rule](model::SceneEdit& edit) {
+        edit.set<model::members::Rules>({rule});
+    });
+    desk.playTo(2.3);
+    QVERIFY(session.isRunning());
+    const double begun = session.posedSince();
+    QVERIFY2(begun >= 2.0, qPrintable(QString::number(begun)));
+    QCOMPARE(session.firstSeconds(), 0.0);
+    desk.drag(desk.view().placeOf(2.3), desk.view().placeOf(1.0));
+    QVERIFY(isNear(desk.state.transport().seconds(), 1.0)); // as it was seen then
+    QVERIFY(session.lit().empty() && session.isRunning());
+    session.catchUp();
+    const double shown = desk.state.transport().seconds();
+    const auto mark = [&desk](double seconds) {
+        model::Mark one;
+        one.id = 1;
+        one.kind = model::MarkKind::Cue;
+        one.cue = 4;
+        one.seconds = seconds;
+        desk.document.edit(QStringLiteral("Cue"), [&one](model::SceneEdit& edit) {
+            edit.set<model::members::Timeline>({one});
+        });
+    };
+    const auto fired = [&session] { return session.firedCount(1); };
+    mark(1.0);
+    QTRY_COMPARE_WITH_TIMEOUT(fired(), std::uint64_t{4}, kTimelinePatienceMs);
+    QCOMPARE(session.posedSince(), 0.0);
+    QCOMPARE(desk.state.transport().seconds(), shown);
+    mark(0.0); // also where the run begins
+    QTRY_VERIFY_WITH_TIMEOUT(!session.firings().since(0).empty() &&
+                                 session.firings().since(0).front().seconds < 0.5,
+                             kTimelinePatienceMs);
+    QCOMPARE(desk.state.transport().seconds(), shown);
+    // What is done before a run that began later begins it there.
+    session.stop();
+    desk.document.undoStack().undo();
+    desk.document.undoStack().undo();
+    desk.state.transport().setSeconds(2.0);
+    desk.playTo(2.3);
+    QVERIFY(session.posedSince() >= 2.0);
+    desk.drag(desk.view().placeOf(2.3), desk.view().placeOf(1.0));
+    session.takeFromHere();
+    QVERIFY(isNear(session.posedSince(), 1.0) && isNear(session.liveSeconds(), 1.0));
 }
 
 void TestTimelineDock::theRulerShowsWhatWasPlayed()

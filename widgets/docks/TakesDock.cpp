@@ -28,7 +28,8 @@ namespace {
 constexpr int kTakeIdRole = Qt::UserRole;
 constexpr int kTakeRows = 8;
 constexpr int kTakeFollowMs = 200;
-constexpr int kTakesRoom = 6; ///< logical pixels
+constexpr int kTakesRoom = 6;        ///< logical pixels
+constexpr double kNamedBegin = 0.05; ///< seconds: begins that are later are told
 
 /// As wide as the others, so that names stand below each other.
 QIcon noIcon()
@@ -36,6 +37,17 @@ QIcon noIcon()
     QPixmap pixmap(kPanelIcon, kPanelIcon);
     pixmap.fill(Qt::transparent);
     return pixmap;
+}
+
+/// Also from when it is, where that is not the beginning of time.
+QString keptText(const model::Takes& all, const QString& name)
+{
+    const auto take = std::ranges::find(all, name.toStdString(), &model::Take::name);
+    const double begin = take == all.end() ? 0.0 : take->begin;
+    return begin > kNamedBegin
+               ? TakesDock::tr("\"%1\" is kept. It begins at %2 s, where the run did.")
+                     .arg(name, QLocale().toString(begin, 'f', 1))
+               : TakesDock::tr("\"%1\" is kept.").arg(name);
 }
 
 } // namespace
@@ -129,7 +141,7 @@ void TakesDock::connectParts()
     connect(&takes, &TakeShelf::ghostChanged, this, &TakesDock::fill);
     connect(&takes, &TakeShelf::failed, &m_state, &EditorState::showStatus);
     connect(&takes, &TakeShelf::kept, this, [this](const QString& name) {
-        m_state.showStatus(tr("\"%1\" is kept.").arg(name));
+        m_state.showStatus(keptText(m_state.scene().takes, name));
         show(); // here it can be shown again
         raise();
     });

@@ -150,15 +150,21 @@ void SessionControl::invalidateTimeline()
 {
     const model::Timeline& now = m_document.scene().timeline;
     const model::Timeline before = std::exchange(m_timeline, now);
-    const auto first = firstDifference(before, now, m_startSeconds);
+    const auto first = firstDifference(before, now, m_isFromScene ? 0.0 : m_startSeconds);
     const double shown = m_transport.seconds();
-    if (!first || m_recorder.isKeeping() || *first > m_player->available() ||
-        !m_player->takeBefore(*first)) {
+    if (!first || m_recorder.isKeeping() || *first > m_player->available()) {
         return; // it has happened already, or it is still to come
     }
-    m_liveSeconds = std::max(shown, std::min(m_liveSeconds, *first));
-    forgetPlayed();
-    handPending(); // before it comes to the mark
+    const double live = m_liveSeconds;
+    if (m_isFromScene && *first <= m_startSeconds) {
+        startAnew();
+    } else if (m_player->takeBefore(*first)) {
+        forgetPlayed();
+        handPending(); // before it comes to the mark
+    } else {
+        return;
+    }
+    m_liveSeconds = std::max(shown, live); // as far as before it can be seen again
     m_player->request(m_liveSeconds);
 }
 
@@ -167,7 +173,7 @@ bool SessionControl::startForRecall()
 {
     if (!isRunning() && !m_take && m_surface->isReady()) {
         m_isForRecall = !m_document.scene().hasBehaviour();
-        start();
+        start(beginningOfRun());
     }
     return isRunning();
 }
@@ -234,7 +240,7 @@ bool SessionControl::perform(const model::Mark& mark)
 
 bool SessionControl::hasRecalled() const
 {
-    const auto pose = isRunning() ? m_player->poseAt(m_transport.seconds()) : nullptr;
+    const auto pose = isRunning() ? poseAt(m_transport.seconds()) : nullptr;
     return pose && pose->recalled;
 }
 
@@ -268,7 +274,7 @@ const model::Population* SessionControl::peopleBefore(double seconds) const
     if (!m_changing) {
         return nullptr;
     }
-    const auto pose = m_player->poseAt(seconds);
+    const auto pose = poseAt(seconds);
     const std::uint64_t version = m_document.scene().population.version();
     const bool isOnItsWay = m_changing->version == 0 || (m_changing->version == version && pose &&
                                                          pose->sceneVersion != version);
@@ -284,7 +290,7 @@ void SessionControl::endRecall()
 {
     const bool mayEnd = m_isForRecall && !m_hasBehaviour && !m_player->takenShare() &&
                         m_transport.seconds() >= m_liveSeconds;
-    const auto pose = mayEnd ? m_player->poseAt(m_transport.seconds()) : nullptr;
+    const auto pose = mayEnd ? poseAt(m_transport.seconds()) : nullptr;
     const bool isBehind =
         m_changing || (pose && pose->sceneVersion != m_document.scene().population.version());
     if (pose && pose->step > 0 && !isBehind && !pose->stateFades && !pose->recalled) {
@@ -303,7 +309,7 @@ behavior::SessionPosePtr SessionControl::poseAt(double seconds) const
     if (m_take) {
         return m_take->poseAt(seconds);
     }
-    return isRunning() ? m_player->poseAt(seconds) : nullptr;
+    return isRunning() && seconds >= posedSince() ? m_player->poseAt(seconds) : nullptr;
 }
 
 std::shared_ptr<const behavior::WalkSurface> SessionControl::surface() const
@@ -326,29 +332,54 @@ std::size_t SessionControl::surfacePolygons() const
     return m_surface->polygons();
 }
 
-/// People begin as the scene has them.
-void SessionControl::start()
+/// What marks before the moment that is shown do has been done by then.
+double SessionControl::beginningOfRun() const
 {
-    noteStart();
+    const double shown = m_transport.seconds();
+    const bool isAsked =
+        std::ranges::any_of(m_document.scene().timeline, [shown](const model::Mark& mark) {
+            return model::isForPeople(mark.kind) && mark.seconds < shown;
+        });
+    return isAsked ? 0.0 : shown;
+}
+
+/// People begin as the scene has them.
+void SessionControl::start(double seconds)
+{
+    noteStart(seconds);
+    m_isFromScene = true;
     m_player->start(*m_handed, m_startSeconds, m_surface->current());
+    if (m_startSeconds < m_transport.seconds()) {
+        m_player->request(m_transport.seconds());
+    }
     followProblems();
     Q_EMIT stateChanged();
+}
+
+/// In place of a run that is another one from its beginning, or began later than what is shown.
+void SessionControl::startAnew()
+{
+    takeFirings();
+    m_recorder.add(m_player->takePerformed());
+    start(std::min(m_startSeconds, beginningOfRun()));
+    Q_EMIT takenFrom(m_startSeconds);
 }
 
 /// They begin as they were at that moment.
 void SessionControl::startFrom(behavior::RunBeginning beginning)
 {
     m_transport.setSeconds(beginning.now->seconds);
-    noteStart();
+    noteStart(beginning.now->seconds);
+    m_isFromScene = false;
     m_player->start(*m_handed, std::move(beginning), m_surface->current());
     followProblems();
     Q_EMIT stateChanged();
 }
 
-void SessionControl::noteStart()
+void SessionControl::noteStart(double seconds)
 {
-    m_startSeconds = m_transport.seconds();
-    m_liveSeconds = m_startSeconds;
+    m_startSeconds = seconds;
+    m_liveSeconds = m_transport.seconds();
     m_stepsPerSecond = m_document.scene().stepsPerSecond;
     m_firings.clear();
     m_timeline = m_document.scene().timeline;
@@ -367,6 +398,7 @@ void SessionControl::drop()
         m_frame.reset();
         m_changing.reset();
         m_isForRecall = false;
+        m_isFromScene = false;
         followProblems();
         Q_EMIT stateChanged();
     }
@@ -382,7 +414,7 @@ void SessionControl::advance(double realSeconds)
     // Until what can be walked on is found time stands: the run has all of it from where it began.
     const bool waits = begins && !m_surface->isReady();
     if (begins && !waits) {
-        start();
+        start(beginningOfRun());
     }
     beginTakeAgain();
     advanceTransport(waits ? 0.0 : realSeconds);
@@ -407,7 +439,8 @@ void SessionControl::advanceTransport(double realSeconds)
 {
     const model::PlayRange& range = m_document.scene().playRange;
     const bool isPlaying = m_transport.isPlaying();
-    const bool isThere = range.isSet() && (!isPosed() || firstSeconds() < range.end);
+    const double first = std::max(firstSeconds(), posedSince()); // what it does is played
+    const bool isThere = range.isSet() && (!isPosed() || first < range.end);
     const bool isPartial = isPlaying && isThere && !m_document.isEditOpen();
     if (isPartial && m_transport.seconds() >= range.end && (range.isLoop || !m_wasPlaying)) {
         beginRange();
@@ -431,7 +464,7 @@ void SessionControl::advanceTransport(double realSeconds)
 /// The first of it that can be shown.
 void SessionControl::beginRange()
 {
-    const double first = isPosed() ? firstSeconds() : 0.0;
+    const double first = isPosed() ? std::max(firstSeconds(), posedSince()) : 0.0;
     m_transport.setSeconds(std::max(m_document.scene().playRange.begin, first));
 }
 
@@ -444,7 +477,7 @@ void SessionControl::stepOnce()
 {
     m_transport.setPlaying(false);
     if (!isRunning() && !m_take && m_document.scene().hasBehaviour() && m_surface->isReady()) {
-        start();
+        start(beginningOfRun());
     }
     const double rate = stepRate();
     const double steps = std::floor((m_transport.seconds() - m_startSeconds) * rate + 1e-6) + 1.0;
@@ -478,7 +511,16 @@ void SessionControl::catchUp()
 
 double SessionControl::firstSeconds() const
 {
-    return m_take ? m_take->first() : m_player->first();
+    if (m_take) {
+        return m_take->first();
+    }
+    const double first = m_player->first();
+    return first <= posedSince() ? 0.0 : first; // of long runs the beginning is not known any more
+}
+
+double SessionControl::posedSince() const
+{
+    return m_isFromScene ? m_startSeconds : 0.0;
 }
 
 double SessionControl::liveSeconds() const
@@ -523,7 +565,7 @@ void SessionControl::pose(model::CrowdFrame& frame) const
 {
     if (m_take) {
         (void)m_take->pose(frame);
-    } else if (isRunning()) {
+    } else if (isRunning() && frame.seconds >= posedSince()) {
         m_player->pose(frame);
     }
 }

@@ -78,6 +78,8 @@ public:
     [[nodiscard]] double takenShare() const;
     /// The earliest time that can be shown again.
     [[nodiscard]] double firstSeconds() const;
+    /// Before this time people are as the scene has them, also while a run is shown.
+    [[nodiscard]] double posedSince() const;
     /// The latest that has been shown since the run was taken from an earlier time, if it was.
     [[nodiscard]] double liveSeconds() const;
     /// Back to the scene, at the start of time, paused.
@@ -176,9 +178,11 @@ private:
     void advanceTransport(double realSeconds);
     void beginRange();
     [[nodiscard]] const model::Population* peopleBefore(double seconds) const;
-    void start();
+    void start(double seconds);
+    void startAnew();
+    [[nodiscard]] double beginningOfRun() const;
     void startFrom(behavior::RunBeginning beginning);
-    void noteStart();
+    void noteStart(double seconds);
     void drop();
     void followSurface();
     [[nodiscard]] double stepRate() const;
@@ -204,6 +208,7 @@ private:
     std::shared_ptr<const model::Scene> m_handed; ///< the scene as it was handed last; null: no run
     bool m_wasPlaying = false;                    ///< as of the last frame
     bool m_isForRecall = false; ///< the scene has no behaviour: the session began for a recall
+    bool m_isFromScene = false; ///< people began as the scene has them, not out of another run
     bool m_isKeepingPose = false;
     bool m_isTakeWanted = false; ///< as soon as the surface is there: see takeFromHere()
     bool m_hasBehaviour = false;

@@ -80,6 +80,10 @@ void SessionControl::beginInEarlier()
 void SessionControl::goOnFromHere()
 {
     const double shown = m_transport.seconds();
+    if (shown < posedSince()) {
+        startAnew();
+        return;
+    }
     if (shown < m_startSeconds && m_player->first() < m_startSeconds) {
         beginInEarlier();
         return;
