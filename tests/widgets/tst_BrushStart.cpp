@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/state/BrushStart.h"
 
+#include <utility>
+
 #include <QtTest/QTest>
 
+#include "model/states/StateKeeping.h"
 #include "tests/program/Test.h"
 #include "tests/widgets/Hand.h"
+#include "widgets/commands/StateCommands.h"
 
 using namespace crowd;
 using model::BrushKind;
@@ -23,6 +27,7 @@ private Q_SLOTS:
     void theOutfitBrushPaintsWhatTheSceneHas();
     void theGroupBrushMakesAGroup();
     void theCloneBrushAsksWhomToClone();
+    void theRestoreBrushTakesStatesThatGiveSomethingBack();
     void theScriptBrushSaysWhatIsMissing();
     void whatIsChosenStays();
     void whatIsUnchosenOnPurposeStays();
@@ -112,6 +117,23 @@ void TestBrushStart::theCloneBrushAsksWhomToClone()
     QCOMPARE(hand.document.undoStack().count(), 1); // nobody was changed
     hand.hover(hand.pixelOf(ids[0]));
     QCOMPARE(hand.tools.picture().label, QString());
+}
+
+/// Of a state that holds no colours, people who were painted get none back.
+void TestBrushStart::theRestoreBrushTakesStatesThatGiveSomethingBack()
+{
+    using model::PropertyAspect;
+    for (const auto& [aspect, source] :
+         {std::pair{PropertyAspect::Animation, model::RestoreSource::Created},
+          std::pair{PropertyAspect::Colours, model::RestoreSource::State}}) {
+        Hand hand;
+        (void)testing::addPeople(hand.document, 3);
+        QVERIFY(widgets::keepStateAs(hand.state, QStringLiteral("calm"), model::columnsOf(aspect),
+                                     widgets::StateReach::Everybody, 0));
+        hand.state.setTool(ToolId::BrushRestore);
+        const auto& restore = hand.state.brush(BrushKind::Restore).as<model::RestoreSettings>();
+        QCOMPARE(restore.source, source);
+    }
 }
 
 void TestBrushStart::theScriptBrushSaysWhatIsMissing()

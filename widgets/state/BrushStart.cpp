@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include <QtCore/QCoreApplication>
 
 #include "model/brush/ClipChoice.h"
 #include "model/brush/FeatureBrush.h"
+#include "model/states/StateKeeping.h"
 
 namespace crowd::widgets {
 
@@ -105,18 +107,42 @@ void chooseWhetherPartsShow(const EditorState& state, BrushSettings& brush)
     settings.isShown = false;
 }
 
-/// Who has kept states means them.
+/// Whether a state holds anything of what is ticked to be given back.
+bool givesBack(const model::State& state, const model::RestoreSettings& settings)
+{
+    using model::PropertyAspect;
+    const std::pair<bool, PropertyAspect> ticked[] = {
+        {settings.colours, PropertyAspect::Colours},
+        {settings.materials || settings.parts, PropertyAspect::Materials},
+        {settings.size, PropertyAspect::Size},
+        {settings.clips, PropertyAspect::Animation}};
+    bool isHeld = false;
+    for (const auto& [isTicked, aspect] : ticked) {
+        if (isTicked) {
+            model::columnsOf(aspect).forEach(
+                [&](model::ColumnId column) { isHeld |= state.columns.contains(column); });
+        }
+    }
+    return isHeld;
+}
+
+/// Who has kept states means them, where there is something of theirs to give back: one that holds
+/// only what people do has no colour for those who were painted.
 void chooseRestored(const EditorState& state, model::RestoreSettings& settings)
 {
     const auto& states = state.scene().states;
-    const auto isThere = [&states](std::uint32_t id) {
-        return std::ranges::find(states, id, &model::State::id) != states.end();
+    const auto find = [&states](std::uint32_t id) {
+        return std::ranges::find(states, id, &model::State::id);
     };
-    if (states.empty() || isThere(settings.state)) {
+    if (states.empty() || find(settings.state) != states.end()) {
         return;
     }
-    settings.source = model::RestoreSource::State;
-    settings.state = isThere(state.chosenState()) ? state.chosenState() : states.front().id;
+    const auto chosen = find(state.chosenState());
+    const model::State& usual = chosen != states.end() ? *chosen : states.front();
+    if (givesBack(usual, settings)) {
+        settings.source = model::RestoreSource::State;
+        settings.state = usual.id;
+    }
 }
 
 /// A kind that came with another scene is not there: the usual one takes its place.

@@ -148,6 +148,7 @@ ChangeResult restoreState(const ChangeRequest& request)
 void RestoreSettings::prepare(BrushSettings& brush)
 {
     brush.selection = BrushSelection::AllInCircle;
+    brush.as<RestoreSettings>().source = RestoreSource::Created; // clothes have colours by then
 }
 
 ChangeResult RestoreSettings::change(const ChangeRequest& request)
