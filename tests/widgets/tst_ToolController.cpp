@@ -26,6 +26,7 @@ private Q_SLOTS:
     void lateEventsNeverTurnTimeBack();
     void theEnvironmentBrushSaysWhatItPaintsAndChoosesIt();
     void aDoubleClickPutsAPlaceIntoAPath();
+    void aDoubleClickWhereCirclesTouchDoesToo();
     void aDoubleClickOfThePathBrushDoesToo();
     void aPathOfOnePlaceGoesWhenItEnds();
     void shortStrokesInARowAreUndoneTogether();
@@ -152,6 +153,33 @@ void TestToolController::aDoubleClickPutsAPlaceIntoAPath()
     hand.tools.press(second);
     hand.release(kCenter + QPointF(0.0, 150.0));
     QCOMPARE(hand.document.scene().places.size(), std::size_t{2});
+}
+
+void TestToolController::aDoubleClickWhereCirclesTouchDoesToo()
+{
+    Hand hand;
+    hand.state.setTool(ToolId::BrushPath);
+    for (const double x : {-120.0, 120.0}) {
+        hand.press(kCenter + QPointF(x, 0.0));
+        hand.release(kCenter + QPointF(x, 0.0));
+    }
+    hand.document.edit(QStringLiteral("Wide"), [](model::SceneEdit& edit) {
+        std::vector<model::Place> places = edit.scene().places;
+        const float apart = glm::distance(places[0].position, places[1].position);
+        for (model::Place& place : places) {
+            place.radius = 0.5F * apart;
+            edit.changePlace(place);
+        }
+    });
+    hand.key(Qt::Key_Escape);
+    hand.state.setTool(ToolId::Select);
+    hand.press(kCenter);
+    hand.release(kCenter);
+    ToolInput second = hand.at(kCenter, Qt::LeftButton);
+    second.isSecond = true;
+    hand.tools.press(second);
+    hand.release(kCenter);
+    QCOMPARE(hand.document.scene().paths[0].places.size(), std::size_t{3});
 }
 
 /// Its first click begins no path that stays, nor one for people to walk along.

@@ -201,11 +201,9 @@ SelectionMode selectionModeFor(Qt::KeyboardModifiers modifiers)
 QString SelectTool::hint() const
 {
     return SelectToolText::tr(
-        "Click: select · Drag: area, or move who is selected · Shift: add, Ctrl: toggle, areas "
-        "from "
-        "anywhere · Double click: a place into a path, a corner into a line or out of it · L: "
-        "lasso or rectangle · Delete: "
-        "remove · F: show the selection");
+        "Click: select · Drag: area, or move who is selected · Shift: add to the selection · "
+        "Ctrl: in or out of it · Double click: puts a place into a path, a corner into a line or "
+        "takes it out · L: lasso or rectangle · Delete: remove · F: show the selection");
 }
 
 DragSessionPtr SelectTool::press(const ToolInput& input)
@@ -223,6 +221,10 @@ DragSessionPtr SelectTool::press(const ToolInput& input)
     }
     if (const auto place = placeAt(m_context, input.position())) {
         if (input.isSecond && changeCorners(m_context, input, *place)) {
+            return nullptr;
+        }
+        // Circles cross their path, and touch midway of short ones.
+        if (input.isSecond && place->isBorder && insertPlaceUnder(m_context, input)) {
             return nullptr;
         }
         return placeDrag(m_context, input, *place);
