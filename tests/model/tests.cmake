@@ -62,6 +62,7 @@ crowd_add_tests(ROOM model
     tst_SceneMembers
     tst_ShownText
     tst_StageRays
+    tst_SlotColour
     tst_States
     tst_StatesFeaturesRelations
     tst_TakeFiles

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
@@ -37,6 +39,7 @@ private Q_SLOTS:
     void controlTakesTheColourThatSomebodyWears();
     void theSlotOfTheBrushIsMeant();
     void anUntintedSlotHasTheColourOfItsMaterial();
+    void whatCannotBeTintedHasItsOwnColour();
     void theDropperWorksOnceAndNobodyIsSaid();
     void aKindIsTakenForTheMix();
     void sizesAreTakenAndPainted();
@@ -111,6 +114,25 @@ void PickDragTest::anUntintedSlotHasTheColourOfItsMaterial()
     click(hand, hand.pixelOf(ids[0]));
     QVERIFY(picked.count() > 0);
     QCOMPARE(picked.back().front().value<model::PaintColor>(), (model::PaintColor{0, 0, 255}));
+}
+
+/// Whatever tint is kept for it: that is not drawn.
+void PickDragTest::whatCannotBeTintedHasItsOwnColour()
+{
+    Hand hand;
+    const auto ids = testing::addPeople(hand.document, 1);
+    model::Scene scene = hand.document.scene();
+    auto asset = std::make_shared<model::Template>(*scene.templates[0].asset);
+    asset->slots[1].tintable = false;
+    scene.templates[0].asset = asset;
+    hand.document.replaceScene(std::move(scene), {});
+    wear(hand, ids, {10, 20, 30, 255});
+    hand.state.setTool(ToolId::BrushColour);
+    QSignalSpy picked(&hand.state, &EditorState::colorPicked);
+    hand.modifiers = Qt::ControlModifier;
+    click(hand, hand.pixelOf(ids[0]));
+    QVERIFY(picked.count() > 0);
+    QVERIFY(picked.back().front().value<model::PaintColor>() != (model::PaintColor{10, 20, 30}));
 }
 
 void PickDragTest::theDropperWorksOnceAndNobodyIsSaid()

@@ -8,7 +8,9 @@
 #include <QtGui/QColor>
 
 #include "model/base/Color.h"
+#include "model/brush/SlotChoice.h"
 #include "model/brush/TakenFrom.h"
+#include "model/template/SlotColour.h"
 
 namespace crowd::widgets {
 
@@ -34,8 +36,9 @@ PaintColor paintOf(const glm::vec3& linear)
     return color;
 }
 
-/// The colour that one sees, were its cloth white where it is dyed, so that painting with it makes
-/// others alike: the tint as far as it covers; without one the colour of the material.
+/// The colour that one sees. Of what is dyed, as clothes are, were its cloth white, so that
+/// painting with it makes others alike: the tint as far as it covers; without one the colour of the
+/// material.
 PaintColor colorOf(const model::Population& people, std::size_t row, const model::Template& asset,
                    int slot)
 {
@@ -43,19 +46,21 @@ PaintColor colorOf(const model::Population& people, std::size_t row, const model
     const auto& choices = people.column(model::columns::materialChoices)[row];
     std::size_t choice = slot < 8 ? choices[static_cast<std::size_t>(slot)] : 0;
     choice = choice < worn.choices.size() ? choice : 0;
-    const glm::vec3 base(worn.choices[choice].baseColor);
-    if (slot < model::kMaxTintSlots) {
+    const glm::vec3 base = model::slotColour(asset, static_cast<std::size_t>(slot), choice);
+    if (slot < model::kMaxTintSlots && worn.tintable) {
         const model::Tint tint = people.column(model::columns::tint(slot))[row];
         const bool isReplaced =
             ((people.column(model::columns::tintReplaces)[row] >> slot) & 1) != 0;
         const glm::vec3 under = isReplaced ? base : glm::vec3(1.0F);
         const glm::vec3 over =
             model::linearFromSrgb(glm::vec3(tint.red, tint.green, tint.blue) * (1.0F / 255.0F));
-        if (tint.strength == 255) {
+        const bool isDyed = !model::isOfTheBody(worn.name) || isReplaced; // hair is no cloth
+        if (tint.strength == 255 && isDyed) {
             return {tint.red, tint.green, tint.blue};
         }
         if (tint.strength > 0) {
-            return paintOf(glm::mix(under, over, static_cast<float>(tint.strength) / 255.0F));
+            const glm::vec3 dye = glm::mix(under, over, static_cast<float>(tint.strength) / 255.0F);
+            return paintOf(isDyed ? dye : base * dye);
         }
     }
     return paintOf(base);
