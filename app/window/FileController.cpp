@@ -70,6 +70,25 @@ QString chosenPath(const QFileDialog& dialog)
                : dialog.selectedFiles().front();
 }
 
+/// By what an artist knows a scene again: how many people, and where. Empty: it cannot be read,
+/// which opening it will say.
+QString whatIsIn(const QString& project)
+{
+    const auto scene = model::readProject(project);
+    if (!scene) {
+        return {};
+    }
+    const QString people = FileController::tr("It has %n character(s).", nullptr,
+                                              static_cast<int>(scene.value().population.size()));
+    QStringList stages;
+    for (const model::StageEntry& stage : scene.value().stages) {
+        stages << QString::fromStdString(stage.name);
+    }
+    return stages.isEmpty()
+               ? people
+               : FileController::tr("%1 Stage: %2.").arg(people, stages.join(QStringLiteral(", ")));
+}
+
 } // namespace
 
 FileController::FileController(widgets::EditorState& state, QWidget* window)
@@ -197,6 +216,7 @@ FileController::RecoveryAnswer FileController::askForRecovery(const QString& que
         QLocale().toString(QFileInfo(recovery).lastModified(), QLocale::ShortFormat);
     QMessageBox box(QMessageBox::Question, tr("Recover Unsaved Work"), question.arg(when),
                     QMessageBox::Yes | QMessageBox::No | QMessageBox::Cancel, m_window);
+    box.setInformativeText(whatIsIn(recovery));
     box.button(QMessageBox::Yes)->setText(tr("&Recover"));
     box.button(QMessageBox::No)->setText(tr("&Throw Away"));
     box.button(QMessageBox::Cancel)->setText(tr("&Not Now")); // it is asked again

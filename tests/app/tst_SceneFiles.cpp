@@ -363,9 +363,15 @@ void SceneFilesTest::recoversASceneNeverSaved()
 {
     QVERIFY(model::writeAutosave(plainScene(4), {}).isOk());
     QVERIFY(!leaveBehind({}).isEmpty());
-    const DialogAnswer yes(pressing(QMessageBox::Yes));
+    QString told;
+    const DialogAnswer yes([&told](QDialog& dialog) {
+        const auto& box = dynamic_cast<QMessageBox&>(dialog);
+        told = box.informativeText();
+        box.button(QMessageBox::Yes)->click();
+    });
     QSignalSpy opened(&m_window->files(), &app::FileController::sceneOpened);
     QVERIFY(m_window->files().offerUntitledRecovery());
+    QVERIFY2(told.contains(QStringLiteral("4 character")), qPrintable(told));
     QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
     QCOMPARE(document().scene().population.size(), std::size_t{4});
     QVERIFY(document().path().isEmpty());
