@@ -12,6 +12,7 @@
 #include <QtWidgets/QMenuBar>
 
 #include "app/window/DockTable.h"
+#include "app/window/FindWords.h"
 #include "app/window/MainWindow.h"
 #include "widgets/actions/MenuText.h"
 #include "widgets/dialogs/FindDialog.h"
@@ -39,6 +40,7 @@ Findable fromAction(QAction& action, const QString& place)
     Findable item{widgets::menuText(action.text()), place};
     item.keys = action.shortcut().toString(QKeySequence::NativeText);
     item.tip = action.statusTip();
+    item.words = findWords(action.objectName());
     item.icon = action.icon();
     if (action.isCheckable()) {
         item.isOn = action.isChecked();
@@ -75,6 +77,7 @@ public:
             item.keys = shows->shortcut().toString(QKeySequence::NativeText);
             item.icon = widgets::iconNamed("dock");
             item.tip = MainWindow::tr("Shows the panel");
+            item.words = findWords(QStringLiteral("panel-") + docks[i]->objectName());
             item.run = [this_window = QPointer<MainWindow>(&m_window),
                         dock = QPointer<QDockWidget>(docks[i])] {
                 if (this_window && dock) {

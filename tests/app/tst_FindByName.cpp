@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <set>
 
 #include <QtTest/QTest>
@@ -8,6 +9,7 @@
 #include <QtWidgets/QTreeWidget>
 
 #include "app/window/FindByName.h"
+#include "app/window/FindWords.h"
 #include "app/window/MainWindow.h"
 #include "tests/app/SceneWindow.h"
 #include "tests/program/WindowTest.h"
@@ -27,6 +29,7 @@ private Q_SLOTS:
     void init() { begin(); }
     void cleanup();
     void allIsThereOnce();
+    void everydayWordsFindIt();
     void aBrushIsTaken();
     void aPanelComesToTheFront();
     void aPanelComesOutOfHiding();
@@ -95,6 +98,27 @@ void TestFindByName::allIsThereOnce()
     }
     // Each action but the one that finds, and panels, menus that fill themselves and settings.
     QVERIFY(all.size() > m_window->actions().specs().size() + m_window->docks().size() - 10);
+}
+
+/// Each of them belongs to something that is there.
+void TestFindByName::everydayWordsFindIt()
+{
+    const auto all = app::findables(*m_window);
+    for (const QString& id : app::idsWithFindWords()) {
+        const QString words = app::findWords(id);
+        QVERIFY2(std::ranges::any_of(
+                     all, [&words](const widgets::Findable& each) { return each.words == words; }),
+                 qPrintable(id));
+    }
+    const auto isAmongTheFirst = [&all](const char* typed, const char* name) {
+        const auto found = widgets::foundBy(QLatin1String(typed), all);
+        const auto end = found.begin() + std::min<std::ptrdiff_t>(3, std::ssize(found));
+        return std::any_of(found.begin(), end,
+                           [&](std::size_t i) { return all[i].name == QString::fromUtf8(name); });
+    };
+    QVERIFY(isAmongTheFirst("wall", "Environment"));
+    QVERIFY(isAmongTheFirst("render video", "Make Movie…"));
+    QVERIFY(isAmongTheFirst("lamp", "Light"));
 }
 
 void TestFindByName::aBrushIsTaken()

@@ -19,6 +19,8 @@ std::vector<Findable> someFindables()
     all.push_back({QStringLiteral("König"), QStringLiteral("Panel")});
     all.push_back({QStringLiteral("Loop"), QStringLiteral("View")});
     all.back().tip = QStringLiteral("Begin again with the colours of before");
+    all.push_back({QStringLiteral("Environment"), QStringLiteral("Brush")});
+    all.back().words = QStringLiteral("wall fence");
     return all;
 }
 
@@ -64,11 +66,15 @@ void TestFindable::whatFitsComesBestFirst_data()
         << QByteArray("color")
         << QStringList{QStringLiteral("Colours (New)"), QStringLiteral("Colour")};
     QTest::newRow("nothing") << QByteArray("zebra") << QStringList{};
-    QTest::newRow("signs alone") << QByteArray("…")
-                                 << QStringList{
-                                        QStringLiteral("Recolour"), QStringLiteral("Colours (New)"),
-                                        QStringLiteral("Colour"),   QStringLiteral("Save Picture…"),
-                                        QString::fromUtf8("König"), QStringLiteral("Loop")};
+    QTest::newRow("signs alone") << QByteArray("…") << QStringList{QStringLiteral("Recolour"),
+                                                                   QStringLiteral("Colours (New)"),
+                                                                   QStringLiteral("Colour"),
+                                                                   QStringLiteral("Save Picture…"),
+                                                                   QString::fromUtf8("König"),
+                                                                   QStringLiteral("Loop"),
+                                                                   QStringLiteral("Environment")};
+    QTest::newRow("another word for it")
+        << QByteArray("wall") << QStringList{QStringLiteral("Environment")};
 }
 
 void TestFindable::whatFitsComesBestFirst()

@@ -58,6 +58,7 @@ struct PlainTexts
 {
     QString name;
     QString place;
+    QString words;
     QString tip;
 };
 
@@ -78,6 +79,9 @@ int fitOf(const QString& word, const PlainTexts& texts)
     if (hasWordBeginning(texts.place, word)) {
         return 4;
     }
+    if (hasWordBeginning(texts.words, word)) {
+        return 5;
+    }
     if (hasWordBeginning(texts.tip, word)) {
         return 6;
     }
@@ -92,7 +96,8 @@ std::vector<std::size_t> foundBy(const QString& typed, const std::vector<Findabl
     std::vector<std::pair<int, std::size_t>> fits;
     fits.reserve(all.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const PlainTexts texts{plain(all[i].name), plain(all[i].place), plain(all[i].tip)};
+        const PlainTexts texts{plain(all[i].name), plain(all[i].place), plain(all[i].words),
+                               plain(all[i].tip)};
         int sum = 0;
         for (const QString& word : words) {
             sum += fitOf(word, texts);
