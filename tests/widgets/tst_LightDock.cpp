@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <utility>
+
 #include <QtCore/QTimer>
 #include <QtTest/QTest>
 #include <QtWidgets/QColorDialog>
@@ -56,6 +58,7 @@ class TestLightDock : public QObject
 
 private Q_SLOTS:
     void showsAllThatIsDescribed();
+    void theChosenLampIsShown();
     void aDragIsOneStepAndSeenMeanwhile();
     void typingIsOneStep();
     void softnessIsAskedForWhereShadowsAre();
@@ -90,6 +93,27 @@ void TestLightDock::showsAllThatIsDescribed()
         }
         QVERIFY2(isThere, name);
     }
+}
+
+/// Wherever it is.
+void TestLightDock::theChosenLampIsShown()
+{
+    LightDesk desk;
+    QVERIFY(desk.isReady());
+    auto* button = desk.dock->findChild<QToolButton*>(QStringLiteral("frameLight"));
+    QVERIFY(!button->isVisible()); // the sun is nowhere
+    addLight(desk.state, model::LightKind::Point, {300.0F, 0.0F, -200.0F});
+    QVERIFY(desk.state.chosenLight() != 0 && button->isVisible());
+    const auto away = [&desk] {
+        const model::Camera camera = desk.state.cameraTarget();
+        const glm::vec3 to = desk.lights()[0].position - camera.position;
+        return std::pair(glm::length(to), glm::dot(glm::normalize(to), camera.forward()));
+    };
+    QVERIFY(away().first > 100.0F);
+    QTest::mouseClick(button, Qt::LeftButton);
+    const auto [metres, straight] = away();
+    QVERIFY2(metres < 40.0F && straight > 0.9F, qPrintable(QString::number(metres)));
+    QCOMPARE(desk.steps(), 1); // the light alone
 }
 
 void TestLightDock::aDragIsOneStepAndSeenMeanwhile()

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include <QtCore/QCoreApplication>
 
 #include "model/document/SceneEdit.h"
+#include "model/scene/LightAim.h"
 #include "model/scene/PlaceShape.h"
 #include "widgets/state/ShownLook.h"
 
@@ -143,6 +145,21 @@ void addPlace(Bounds& bounds, const model::Place& place)
     }
 }
 
+/// The lamp, and where it shines, unless that is far away.
+Bounds boundsOf(const model::Light& light)
+{
+    constexpr float kRoom = 1.5F; // metres
+    constexpr float kFar = 12.0F;
+    Bounds bounds;
+    bounds.add(light.position - glm::vec3(kRoom));
+    bounds.add(light.position + glm::vec3(kRoom));
+    const auto lit = model::isAimed(light) ? model::aimedAt(light, nullptr) : std::nullopt;
+    if (lit && glm::distance(*lit, light.position) < kFar) {
+        bounds.add(*lit);
+    }
+    return bounds;
+}
+
 } // namespace
 
 Bounds sceneBounds(const model::Scene& scene)
@@ -172,6 +189,14 @@ Bounds selectionBounds(const EditorState& state)
         addPlace(bounds, *state.scene().findPlace(id));
     }
     return bounds;
+}
+
+void frameLight(EditorState& state)
+{
+    const model::Light* light = model::findLight(state.scene().lights, state.chosenLight());
+    if (light != nullptr) {
+        state.moveCameraTo(framed(state.cameraTarget(), state.viewSize(), boundsOf(*light)));
+    }
 }
 
 void frameSelection(EditorState& state)

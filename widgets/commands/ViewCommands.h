@@ -19,6 +19,8 @@ namespace crowd::widgets {
 
 /// Smoothly shows the selected people and places; everything when nothing is selected.
 void frameSelection(EditorState& state);
+/// Shows the chosen lamp; nothing where none is chosen.
+void frameLight(EditorState& state);
 void frameAll(EditorState& state);
 void lookFrom(EditorState& state, ViewDirection direction);
 void toggleProjection(EditorState& state);

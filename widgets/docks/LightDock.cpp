@@ -16,6 +16,7 @@
 #include "model/scene/DayLight.h"
 #include "model/scene/ReadyLight.h"
 #include "widgets/commands/LightCommands.h"
+#include "widgets/commands/ViewCommands.h"
 #include "widgets/forms/FieldForm.h"
 #include "widgets/forms/PanelButton.h"
 #include "widgets/forms/PointPicking.h"
@@ -63,6 +64,7 @@ LightDock::LightDock(EditorState& state, QWidget* parent)
     m_lightPlace = new QVBoxLayout;
     layout->addLayout(m_lightPlace);
     makeLightForm();
+    m_frame->hide(); // the sun's buttons want its room
     setScrolledContent(content);
     connectParts();
     fill();
@@ -109,6 +111,8 @@ QWidget* LightDock::makeButtons()
     m_ready = makeReady();
     layout->addWidget(m_ready);
     layout->addStretch(1);
+    m_frame = add("frame", tr("Show the chosen lamp in the picture"), "frameLight",
+                  [this](bool) { frameLight(m_state); });
     m_remove = add("delete", tr("Remove the chosen light"), "removeLight",
                    [this](bool) { removeLight(m_state, m_state.chosenLight()); });
     removeByKey(*m_list, [this] {
@@ -284,6 +288,7 @@ void LightDock::showChosen()
     const bool isSun = m_state.chosenLight() == 0;
     m_ready->setVisible(isSun);
     m_remove->setEnabled(!isSun);
+    m_frame->setVisible(!isSun);
     m_sunForm->setVisible(isSun);
     m_lightForm->setVisible(!isSun);
     (isSun ? m_sunForm : m_lightForm)->refresh();

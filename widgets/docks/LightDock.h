@@ -52,6 +52,7 @@ private:
     QListWidget* m_list = nullptr; ///< children, as all below
     QLabel* m_note = nullptr;
     QWidget* m_remove = nullptr;
+    QWidget* m_frame = nullptr;
     QWidget* m_ready = nullptr;
     FieldForm* m_sunForm = nullptr;
     FieldForm* m_lightForm = nullptr;
