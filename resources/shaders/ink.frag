@@ -34,14 +34,23 @@ bool isHorizon(ivec2 at, float right, float left, float up, float down, float he
            isGroundOrSky(at + ivec2(0, width), up) && isGroundOrSky(at - ivec2(0, width), down);
 }
 
-void main()
+// Of a crack that is a pixel wide, as where surfaces of a model do not quite meet, what is beside it.
+float closedNearness(ivec2 pixel)
 {
-    ivec2 at = ivec2(gl_FragCoord.xy);
-    float here = nearness(at);
-    float right = nearness(at + ivec2(width, 0));
-    float left = nearness(at - ivec2(width, 0));
-    float up = nearness(at + ivec2(0, width));
-    float down = nearness(at - ivec2(0, width));
+    float here = nearness(pixel);
+    float left = nearness(pixel - ivec2(1, 0));
+    float right = nearness(pixel + ivec2(1, 0));
+    float below = nearness(pixel - ivec2(0, 1));
+    float above = nearness(pixel + ivec2(0, 1));
+    float beside = isPerspective ? max(min(left, right), min(below, above))
+                                 : min(max(left, right), max(below, above));
+    float leap = isPerspective ? (beside - here) / (beside * beside) : here - beside;
+    return leap > 0.1 ? beside : here;
+}
+
+// How much ink there is on a pixel with these around it, 0 to 1.
+float inkAt(ivec2 at, float here, float right, float left, float up, float down)
+{
     float across = abs(right + left - 2.0 * here);
     float along = abs(up + down - 2.0 * here);
     // At the picture's border there is nothing to compare with.
@@ -50,12 +59,14 @@ void main()
     float bend = max(across, along);
     // Where a floor is seen from low down, a step of nothing leaps far: what is much more than the
     // floor itself does is an edge.
-    across *= step(5.0 * min(abs(right - here), abs(left - here)), across);
-    along *= step(5.0 * min(abs(up - here), abs(down - here)), along);
+    float floors = 5.0 * max(min(abs(right - here), abs(left - here)),
+                             min(abs(up - here), abs(down - here)));
+    across *= step(floors, across);
+    along *= step(floors, along);
     float leap = max(across, along);
     float nearest = max(max(max(right, left), max(up, down)), here);
     if (bend < 0.00001 || (isPerspective && isHorizon(at, right, left, up, down, here))) {
-        discard;
+        return 0.0;
     }
     // As metres, and as how much the slope changes from pixel to pixel.
     float perMetre = isPerspective ? nearest * nearest : 1.0;
@@ -64,7 +75,23 @@ void main()
     float crease = smoothstep(0.9, 1.6, bend / perMetre / pixel) * (1.0 - smoothstep(0.006, 0.014, pixel));
     // Far away there would be nothing but lines.
     float seen = 1.0 - 0.55 * smoothstep(0.02, 0.08, pixel);
-    float ink = max(outline * seen, 0.8 * crease);
+    return max(outline * seen, 0.8 * crease);
+}
+
+void main()
+{
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 aside = ivec2(width, 0);
+    ivec2 above = ivec2(0, width);
+    float ink = inkAt(at, nearness(at), nearness(at + aside), nearness(at - aside),
+                      nearness(at + above), nearness(at - above));
+    if (ink < 0.02) {
+        discard;
+    }
+    // Few pixels come as far as this.
+    ink = min(ink, inkAt(at, closedNearness(at), closedNearness(at + aside),
+                         closedNearness(at - aside), closedNearness(at + above),
+                         closedNearness(at - above)));
     if (ink < 0.02) {
         discard;
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <cstdlib>
+#include <memory>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <QtTest/QTest>
@@ -11,6 +13,26 @@
 
 using namespace crowd;
 using namespace crowd::testing;
+
+namespace {
+
+/// All of it lit alike.
+model::StageEntry stageOf(model::StageMesh mesh)
+{
+    mesh.normals.assign(mesh.positions.size(), glm::vec3(0, 1, 0));
+    mesh.uv.assign(mesh.positions.size(), glm::vec2(0));
+    auto stage = std::make_shared<model::StageAsset>();
+    stage->materials.emplace_back();
+    for (const glm::vec3& corner : mesh.positions) {
+        stage->bounds.add(corner);
+    }
+    stage->meshes.push_back(std::move(mesh));
+    model::StageEntry entry;
+    entry.asset = stage;
+    return entry;
+}
+
+} // namespace
 
 /// Ink around people and on creases, light in steps.
 class TestCartoon : public PictureBench
@@ -26,6 +48,9 @@ private Q_SLOTS:
     void theHorizonHasNoInk_data();
     void theHorizonHasNoInk();
     void creasesHaveInk();
+    void aCrackHasNone_data();
+    void aCrackHasNone();
+    void aLowStepOfAFloorHasNoDots();
     void lightComesInSteps();
     void theOtherLooksHaveNone();
 
@@ -35,6 +60,21 @@ private:
     {
         const std::uint8_t* pixel = &m_pixels[static_cast<std::size_t>((y * kPixels + x) * 4)];
         return pixel[0] + pixel[1] + pixel[2];
+    }
+    /// How many pixels ink changes, from a row on downwards.
+    [[nodiscard]] int inked(render::RenderInput input, int row = 0)
+    {
+        input.ink = render::InkLine{0.0F, {}};
+        draw(input);
+        const std::vector<std::uint8_t> bare = m_pixels;
+        input.ink.reset();
+        draw(input);
+        int count = 0;
+        const auto first = static_cast<std::size_t>(row * kPixels) * 4;
+        for (std::size_t at = first; at < bare.size(); at += 4) {
+            count += std::abs(m_pixels[at] - bare[at]) > 2 ? 1 : 0;
+        }
+        return count;
     }
     /// Pixels of a row that are as dark as ink.
     [[nodiscard]] int inkIn(int row) const
@@ -112,41 +152,23 @@ void TestCartoon::theHorizonHasNoInk()
     input.lighting.skyZenith = glm::vec3(0.9F);
     input.showShadows = false;
     input.lighting.highlights = 0.0F;
-    auto inked = [this, input](const model::Population& people) mutable {
+    const auto inkedWith = [this, &input](const model::Population& people) {
         input.frame = frameOf(people, {entryFor(m_man)});
-        input.ink = render::InkLine{0.0F, {}};
-        draw(input);
-        const std::vector<std::uint8_t> bare = m_pixels;
-        input.ink.reset();
-        draw(input);
-        int count = 0;
-        for (std::size_t at = 0; at < bare.size(); at += 4) {
-            count += std::abs(m_pixels[at] - bare[at]) > 2 ? 1 : 0;
-        }
-        return count;
+        return inked(input);
     };
-    QCOMPARE(inked(model::Population()), 0);
+    QCOMPARE(inkedWith(model::Population()), 0);
     if (height < 10.0F) { // who stands before it keeps his outline
-        QVERIFY(inked(makeRow(1)) > 20);
+        QVERIFY(inkedWith(makeRow(1)) > 20);
     }
 }
 
 void TestCartoon::creasesHaveInk()
 {
-    auto stage = std::make_shared<model::StageAsset>();
-    stage->materials.emplace_back();
     model::StageMesh roof; // two slopes that meet along X
     roof.positions = {{-1, 0.2F, 1}, {1, 0.2F, 1},  {1, 1.2F, 0},
                       {-1, 1.2F, 0}, {1, 0.2F, -1}, {-1, 0.2F, -1}};
-    roof.normals.assign(6, glm::vec3(0, 1, 0)); // shaded alike
-    roof.uv.assign(6, glm::vec2(0));
     roof.indices = {0, 1, 2, 0, 2, 3, 3, 2, 4, 3, 4, 5};
-    for (const glm::vec3& corner : roof.positions) {
-        stage->bounds.add(corner);
-    }
-    stage->meshes.push_back(roof);
-    model::StageEntry entry;
-    entry.asset = stage;
+    const model::StageEntry entry = stageOf(std::move(roof));
     model::Camera camera = model::Camera::lookingAt({0.0F, 4.0F, 0.01F}, {0.0F, 0.0F, 0.0F});
     camera.projection = model::Projection::Orthographic;
     camera.orthographicHeight = 1.2F; // within both slopes
@@ -161,6 +183,62 @@ void TestCartoon::creasesHaveInk()
     }
     QVERIFY2(darkest < brightness(column, kPixels / 4) * 4 / 5,
              qPrintable(QString::number(darkest)));
+}
+
+void TestCartoon::aCrackHasNone_data()
+{
+    QTest::addColumn<bool>("isPerspective");
+    QTest::addColumn<float>("pixels");
+    QTest::addColumn<bool>("hasInk");
+    for (const bool isPerspective : {true, false}) {
+        const char* name = isPerspective ? "perspective" : "parallel";
+        QTest::addRow("%s, a pixel", name) << isPerspective << 1.0F << false;
+        QTest::addRow("%s, a gap", name) << isPerspective << 8.0F << true;
+    }
+}
+
+/// Where two walls do not quite meet; one that can be seen through is one.
+void TestCartoon::aCrackHasNone()
+{
+    QFETCH(const bool, isPerspective);
+    QFETCH(const float, pixels);
+    QFETCH(const bool, hasInk);
+    model::Camera camera = model::Camera::lookingAt({0.0F, 50.0F, 5.0F}, {0.0F, 50.0F, 0.0F});
+    if (!isPerspective) {
+        camera.projection = model::Projection::Orthographic;
+        camera.orthographicHeight = 4.0F;
+    }
+    render::RenderInput input = frontOf(camera, render::Look::Cartoon);
+    const float gap = pixels / input.view.pixelsPerMetre(5.0F);
+    model::StageMesh walls; // wider and higher than the picture
+    walls.positions = {{-9, 30, 0},  {0, 30, 0}, {0, 70, 0}, {-9, 70, 0},
+                       {gap, 30, 0}, {9, 30, 0}, {9, 70, 0}, {gap, 70, 0}};
+    walls.indices = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
+    const model::StageEntry entry = stageOf(std::move(walls));
+    input.frame = frameOf(model::Population(), {entryFor(m_man)});
+    input.stages = {&entry, 1};
+    QCOMPARE(inked(input) > 0, hasInk);
+}
+
+/// Seen from low down, along a kerb that is not level in the picture.
+void TestCartoon::aLowStepOfAFloorHasNoDots()
+{
+    model::Camera camera = model::Camera::lookingAt({0.0F, 1.5F, 0.0F}, {0.0F, 0.9F, -10.0F});
+    camera.orientation = camera.orientation * glm::angleAxis(0.07F, glm::vec3(0.0F, 0.0F, 1.0F));
+    render::RenderInput input = frontOf(camera, render::Look::Cartoon);
+    input.showShadows = false;
+    input.lighting.highlights = 0.0F;
+    model::StageMesh kerb; // behind a line lies a floor, a little lower
+    kerb.positions = {{-40, 0.2F, 5},   {40, 0.2F, 5},   {40, 0.2F, -6},    {-40, 0.2F, -6},
+                      {-40, 0.15F, -6}, {40, 0.15F, -6}, {40, 0.15F, -400}, {-40, 0.15F, -400}};
+    kerb.indices = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
+    const model::StageEntry entry = stageOf(std::move(kerb));
+    input.frame = frameOf(model::Population(), {entryFor(m_man)});
+    input.stages = {&entry, 1};
+    input.showGround = false;
+    input.background = {0.9F, 0.9F, 0.9F, 1.0F};
+    const int dots = inked(input, kPixels * 5 / 8); // the far end of the floor is above
+    QVERIFY2(dots == 0, qPrintable(QString::number(dots)));
 }
 
 void TestCartoon::lightComesInSteps()
