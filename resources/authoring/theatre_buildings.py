@@ -17,7 +17,8 @@ ARCHES = 26
 def add_ground(surface):
     surface.arc([(7.6, .015), (OUTER_RADIUS, .015), (OUTER_RADIUS + 3, .015), (62, .015)],
                 -math.pi, math.pi, 36, ["earth"] * 3)
-    surface.arc([(.8, .04), (1.6, .04), (6.4, .04), (7.2, .04)], -math.pi, math.pi, 40,
+    # As far as under the steps: their rings have other corners.
+    surface.arc([(.8, .04), (1.6, .04), (6.4, .04), (7.35, .04)], -math.pi, math.pi, 40,
                 ["sand"] * 3)
     surface.arc([(7.2, .04), (7.2, .10), (FIRST_RADIUS, .10)], -HALF_ANGLE, HALF_ANGLE, 40,
                 ["marble", "stone"])
