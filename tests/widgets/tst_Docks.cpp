@@ -37,6 +37,7 @@ private Q_SLOTS:
     void paletteChoosesTheTool();
     void everyBrushHasSettingsThatFit_data();
     void everyBrushHasSettingsThatFit();
+    void aToolWithoutSettingsSaysWhatItDoes();
     void sliderChangesTheBrush();
     void tickedTemplatesAreTheMix();
     void heightsAreSaidInMetres();
@@ -100,6 +101,24 @@ void DocksTest::everyBrushHasSettingsThatFit()
         const QPoint right = child->mapTo(desk.dock, QPoint(child->width(), 0));
         QVERIFY2(right.x() <= desk.dock->width(), child->metaObject()->className());
     }
+}
+
+/// All of it, also where the status bar is short.
+void DocksTest::aToolWithoutSettingsSaysWhatItDoes()
+{
+    Desk<BrushSettingsDock> desk;
+    QVERIFY(desk.isReady());
+    const auto note = [&desk] { return desk.dock->findChild<QLabel*>(QStringLiteral("toolNote")); };
+    desk.state.setTool(ToolId::Select);
+    QTRY_VERIFY(note() != nullptr);
+    desk.state.setHint(QStringLiteral("Click: select · Drag: area"));
+    QCOMPARE(note()->text(), QStringLiteral("Click: select\n\nDrag: area"));
+    desk.state.setTool(ToolId::BrushColour);
+    QTRY_VERIFY(note() == nullptr);
+    desk.state.setHint(QStringLiteral("Drag: paint"));
+    desk.state.setTool(ToolId::Select);
+    QTRY_VERIFY(note() != nullptr);
+    QCOMPARE(note()->text(), QStringLiteral("Drag: paint")); // as it is by then
 }
 
 void DocksTest::sliderChangesTheBrush()

@@ -3,7 +3,6 @@
 
 #include <QtCore/QCoreApplication>
 #include <QtGui/QAction>
-#include <QtWidgets/QLabel>
 
 #include "widgets/state/SceneChanges.h"
 
@@ -16,6 +15,7 @@ BrushSettingsDock::BrushSettingsDock(EditorState& state, QWidget* parent)
     m_rebuild.setInterval(0);
     connect(&m_rebuild, &QTimer::timeout, this, &BrushSettingsDock::rebuild);
     connect(&m_state, &EditorState::toolChanged, this, [this] { m_rebuild.start(); });
+    connect(&m_state, &EditorState::hintChanged, this, &BrushSettingsDock::sayWhatItDoes);
     connect(&m_state, &EditorState::scriptBrushesChanged, this, [this] {
         if (m_state.tool() == ToolId::BrushScript) {
             m_rebuild.start();
@@ -44,6 +44,7 @@ void BrushSettingsDock::rebuild()
 {
     delete widget();
     m_form = nullptr;
+    m_note = nullptr;
     const ToolInfo& tool = toolInfo(m_state.tool());
     const std::string& script =
         m_state.brush(model::BrushKind::Script).as<model::ScriptSettings>().brush;
@@ -52,15 +53,26 @@ void BrushSettingsDock::rebuild()
                        : QCoreApplication::translate("Tools", tool.name));
     toggleViewAction()->setText(tr("Brush Settings")); // the menu names the panel, not the brush
     if (!tool.brush) {
-        auto* note = new QLabel(tr("This tool has no settings. Choose a brush to set it."), this);
-        note->setWordWrap(true);
-        note->setMargin(8);
-        note->setAlignment(Qt::AlignTop);
-        setWidget(note);
+        m_note = new QLabel(this);
+        m_note->setObjectName(QStringLiteral("toolNote"));
+        m_note->setWordWrap(true);
+        m_note->setMargin(8);
+        m_note->setAlignment(Qt::AlignTop);
+        setScrolledContent(m_note);
+        sayWhatItDoes();
         return;
     }
     m_form = makeBrushForm(m_state, *tool.brush, this);
     setScrolledContent(m_form);
+}
+
+/// Of a tool that has nothing to set: what the status bar may have no room for.
+void BrushSettingsDock::sayWhatItDoes()
+{
+    if (m_note != nullptr) {
+        const QStringList parts = m_state.hint().split(QStringLiteral(" · "));
+        m_note->setText(parts.join(QStringLiteral("\n\n")));
+    }
 }
 
 } // namespace crowd::widgets

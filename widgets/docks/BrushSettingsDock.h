@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <QtCore/QTimer>
+#include <QtWidgets/QLabel>
 
 #include "widgets/docks/BrushForm.h"
 #include "widgets/docks/DockBase.h"
@@ -11,7 +12,8 @@
 
 namespace crowd::widgets {
 
-/// How the active brush is set: selection, size, rate, operator, and what it changes.
+/// How the active brush is set: selection, size, rate, operator, and what it changes. Of a tool
+/// that has nothing to set, what it does.
 class BrushSettingsDock : public DockBase
 {
     Q_OBJECT
@@ -21,9 +23,11 @@ public:
 
 private:
     void rebuild();
+    void sayWhatItDoes();
 
     EditorState& m_state;
     FieldForm* m_form = nullptr; ///< null while no brush is active
+    QLabel* m_note = nullptr;    ///< null while a brush is active
     QTimer m_rebuild;
 };
 
