@@ -163,7 +163,7 @@ QWidget* PreferencesDialog::generalPage()
     form->addRow(tr("Mouse buttons of the brushes"), m_buttons);
     form->addRow(tr("Quality of the picture"), m_quality);
     form->addRow(tr("Keep unsaved work every"), m_autosave);
-    form->addRow(tr("Memory for baked animations"), m_memory);
+    form->addRow(tr("Memory for prepared animations"), m_memory);
     form->addRow(tr("Memory for undo"), m_undoMemory);
     form->addRow(tr("Undo"), m_groups);
     form->addRow(tr("Language"), m_language);

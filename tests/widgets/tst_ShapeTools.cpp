@@ -59,6 +59,7 @@ class TestShapeTools : public QObject
 private Q_SLOTS:
     void clicksMakeALine();
     void clicksMakeAnArea();
+    void anAreaOfTwoCornersIsSaidToBeALine();
     void aLineIsClosedWhereItBegan();
     void eachClickIsOneStep();
     void aDragDrawsFreely();
@@ -107,6 +108,21 @@ void TestShapeTools::clicksMakeAnArea()
     QCOMPARE(area.shape, PlaceShape::Area);
     QCOMPARE(area.corners.size(), std::size_t{4});
     QVERIFY(std::abs(model::areaOf(area) - 60.0F) < 3.0F);
+}
+
+void TestShapeTools::anAreaOfTwoCornersIsSaidToBeALine()
+{
+    for (const PlaceShape shape : {PlaceShape::Area, PlaceShape::Line}) {
+        Lawn lawn(shape);
+        QString said;
+        QObject::connect(&lawn.state, &EditorState::statusMessage,
+                         [&said](const QString& text) { said = text; });
+        lawn.click(-5.0F, -3.0F);
+        lawn.click(5.0F, -3.0F);
+        lawn.key(Qt::Key_Escape);
+        QCOMPARE(lawn.places().back().shape, PlaceShape::Line);
+        QCOMPARE(said.contains(QStringLiteral("three")), shape == PlaceShape::Area);
+    }
 }
 
 void TestShapeTools::aLineIsClosedWhereItBegan()

@@ -290,6 +290,11 @@ void endPath(EditorState& state)
     if (post != nullptr && post->corners.empty()) {
         state.document().edit(PlaceHandlesText::tr("Take back a single corner"),
                               [id = post->id](model::SceneEdit& edit) { edit.removePlace(id); });
+    } else if (post != nullptr && post->corners.size() == 2 &&
+               state.brush(model::BrushKind::Environment).as<model::EnvironmentSettings>().shape ==
+                   model::PlaceShape::Area) {
+        state.showStatus(
+            PlaceHandlesText::tr("Two corners make a line: an area has three or more."));
     }
     state.paths().end();
 }

@@ -149,7 +149,7 @@ public:
         add(corners,
             isDrawn ? ShapeDragText::tr("Draw corners") : ShapeDragText::tr("Add a corner"));
         if (m_hasBegun && isDrawn) {
-            m_context.state.paths().end();
+            endPath(m_context.state);
         }
     }
     void cancel() override {}

@@ -524,18 +524,18 @@ WorkStatus ViewportWidget::workStatus()
                              : WorkStatus{work.text, done, {}, {}};
     }
     if (baking.isPaused) {
-        return {tr("Animations are not baked: some characters stand still."), -1.0, tr("Bake"),
-                tr("Go on baking")};
+        return {tr("Animations are not prepared: some characters stand still."), -1.0,
+                tr("Prepare"), tr("Go on preparing them")};
     }
     if (baking.pendingClips > 0) {
         const int done = baking.finishedClips - m_bakedBefore;
         const int total = done + baking.pendingClips;
-        return {tr("Baking %1 of %2 clips").arg(done + 1).arg(total),
+        return {tr("Preparing animations: %1 of %2").arg(done + 1).arg(total),
                 static_cast<double>(done) / total, tr("Cancel"),
-                tr("Stop baking: whose animation is not ready stands still")};
+                tr("Stop: whose animation is not ready stands still")};
     }
     if (baking.isBudgetReached) {
-        return {tr("The memory for baked animations is used up: some characters stand still. "
+        return {tr("The memory for prepared animations is used up: some characters stand still. "
                    "The preferences set its size."),
                 -1.0,
                 {},
