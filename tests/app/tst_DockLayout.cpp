@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <QtGui/QAction>
 #include <QtTest/QTest>
+#include <QtWidgets/QAbstractButton>
 #include <QtWidgets/QDockWidget>
 
 #include "app/window/DockLayout.h"
@@ -23,6 +25,8 @@ private Q_SLOTS:
     void aWideWindowHasWidePanels();
     void theSidesAreAsBeforeWhenTheTimelineGoes();
     void oneThatIsPutBackIsInFront();
+    void afloatItCoversNoOtherAndCanBeClosed();
+    void theMenuTakesPanelsAway();
     void onASmallScreenItsTitleCanBeGrasped();
 
 private:
@@ -66,6 +70,43 @@ void TestDockLayout::oneThatIsPutBackIsInFront()
     QTRY_VERIFY(!dock(app::DockId::Groups)->visibleRegion().isEmpty());
     light->setFloating(false);
     QTRY_VERIFY(!light->visibleRegion().isEmpty());
+}
+
+void TestDockLayout::afloatItCoversNoOtherAndCanBeClosed()
+{
+    m_window->resize(1280, 700);
+    const auto button = [](const QDockWidget* dock, const char* name) {
+        return dock->findChild<QAbstractButton*>(QLatin1String(name));
+    };
+    for (const app::DockId id : {app::DockId::Light, app::DockId::BrushSettings}) {
+        QDockWidget* panel = dock(id);
+        panel->raise();
+        QTRY_VERIFY(!panel->visibleRegion().isEmpty());
+        QTest::mouseClick(button(panel, "qt_dockwidget_floatbutton"), Qt::LeftButton);
+        QTRY_VERIFY(panel->isFloating());
+        const QWidget* picture = m_window->centralWidget();
+        const QRect room(picture->mapToGlobal(QPoint()), picture->size());
+        QTRY_VERIFY2(room.left() < panel->frameGeometry().left() &&
+                         panel->frameGeometry().right() < room.right(),
+                     qPrintable(panel->objectName()));
+        QTRY_VERIFY(button(panel, "qt_dockwidget_closebutton")->isVisible());
+        QTest::mouseClick(button(panel, "qt_dockwidget_closebutton"), Qt::LeftButton);
+        QTRY_VERIFY(!panel->isVisible());
+        panel->toggleViewAction()->trigger();
+        QTRY_VERIFY(panel->isVisible());
+    }
+}
+
+void TestDockLayout::theMenuTakesPanelsAway()
+{
+    QDockWidget* light = dock(app::DockId::Light);
+    light->raise();
+    QTRY_VERIFY(!light->visibleRegion().isEmpty());
+    QVERIFY(light->toggleViewAction()->isEnabled());
+    light->toggleViewAction()->trigger();
+    QTRY_VERIFY(!light->isVisible());
+    light->toggleViewAction()->trigger();
+    QTRY_VERIFY(light->isVisible());
 }
 
 void TestDockLayout::onASmallScreenItsTitleCanBeGrasped()

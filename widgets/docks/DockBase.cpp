@@ -12,6 +12,7 @@
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QListWidget>
+#include <QtWidgets/QMainWindow>
 #include <QtWidgets/QScrollBar>
 
 #include "widgets/actions/OwnKeys.h"
@@ -29,6 +30,21 @@ QPoint onScreen(const QRect& screen, const QRect& window)
 {
     return {std::max(screen.left(), std::min(window.left(), screen.right() - window.width())),
             std::max(screen.top(), std::min(window.top(), screen.bottom() - window.height()))};
+}
+
+/// Over the picture, next to the side that it has come from, so that it covers no other panel.
+QPoint besidePanels(const QDockWidget& dock)
+{
+    const auto* window = qobject_cast<const QMainWindow*>(dock.parentWidget());
+    const QWidget* picture = window != nullptr ? window->centralWidget() : nullptr;
+    if (picture == nullptr) {
+        return dock.pos() + QPoint(kFloatShift, -kFloatShift);
+    }
+    const QRect room(picture->mapToGlobal(QPoint()), picture->size());
+    const bool isFromRight = dock.geometry().center().x() > room.center().x();
+    const int x = isFromRight ? room.right() - kFloatShift - dock.frameGeometry().width()
+                              : room.left() + kFloatShift;
+    return {x, std::max(dock.pos().y() - kFloatShift, room.top() + kFloatShift)};
 }
 
 /// The same widgets of two panels that were made by the same lines; none where they differ.
@@ -74,7 +90,7 @@ DockBase::DockBase(const QString& title, const char* objectName, QWidget* parent
             if (isFloating()) { // where it was it would look as before
                 resize(size().expandedTo(kLeastFloating));
                 move(onScreen(screen()->availableGeometry(),
-                              {pos() + QPoint(kFloatShift, -kFloatShift), frameGeometry().size()}));
+                              {besidePanels(*this), frameGeometry().size()}));
             }
         });
     }

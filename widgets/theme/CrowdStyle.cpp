@@ -10,7 +10,8 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr int kTabSpace = 12; ///< beside a tab's text; half of Fusion's
+constexpr int kFrameAlpha = 150; ///< of 255
+constexpr int kTabSpace = 12;    ///< beside a tab's text; half of Fusion's
 
 QColor between(const QColor& a, const QColor& b, double t)
 {
@@ -81,6 +82,13 @@ int CrowdStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
 void CrowdStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
                                QPainter* painter, const QWidget* widget) const
 {
+    if (element == PE_FrameDockWidget) { // a floating panel has no other edge
+        QColor edge = option->palette.color(QPalette::WindowText);
+        edge.setAlpha(kFrameAlpha);
+        painter->setPen(edge);
+        painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+        return;
+    }
     const bool isRound = element == PE_IndicatorRadioButton;
     if (!isRound && element != PE_IndicatorCheckBox && element != PE_IndicatorItemViewItemCheck) {
         QProxyStyle::drawPrimitive(element, option, painter, widget);

@@ -65,7 +65,7 @@ QString styleSheetOf(const Shades& shades)
     return QStringLiteral(R"(
 QMainWindow::separator { width: 4px; height: 4px; background: %1; }
 QMainWindow::separator:hover { background: %3; }
-QDockWidget { titlebar-close-icon: none; font-weight: 600; }
+QDockWidget { font-weight: 600; }
 QDockWidget::title { padding: 5px 8px; background: %2; border-bottom: 1px solid %1; }
 QToolBar { border: none; spacing: 2px; padding: 3px; background: %2; }
 QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 3px; }
