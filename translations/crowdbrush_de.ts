@@ -4207,6 +4207,245 @@
     </message>
 </context>
 <context>
+    <name>FindWords</name>
+    <message>
+        <source>people spray add place populate audience</source>
+        <translation>Leute Menschen sprühen hinzufügen setzen bevölkern Publikum Zuschauer</translation>
+    </message>
+    <message>
+        <source>erase eraser rubber remove people</source>
+        <translation>radieren Radiergummi entfernen weg Leute</translation>
+    </message>
+    <message>
+        <source>color dye clothes tint paint</source>
+        <translation>färben Kleider einfärben Ton anmalen</translation>
+    </message>
+    <message>
+        <source>clothes dress costume uniform fans team</source>
+        <translation>Kleider anziehen Kostüm Uniform Fans Mannschaft Trikot</translation>
+    </message>
+    <message>
+        <source>skin hair cloth texture variant</source>
+        <translation>Haut Haare Stoff Textur Variante</translation>
+    </message>
+    <message>
+        <source>hat bag props accessories</source>
+        <translation>Hut Tasche Requisiten Zubehör</translation>
+    </message>
+    <message>
+        <source>dance clap wave cheer motion pose move</source>
+        <translation>tanzen klatschen winken jubeln Bewegung Pose bewegen</translation>
+    </message>
+    <message>
+        <source>gait speed run stroll</source>
+        <translation>Gangart Tempo rennen schlendern</translation>
+    </message>
+    <message>
+        <source>offset phase synchronous delay wave</source>
+        <translation>Versatz Phase gleichzeitig Verzögerung Welle La-Ola</translation>
+    </message>
+    <message>
+        <source>turn rotate look face direction</source>
+        <translation>drehen rotieren schauen blicken Richtung</translation>
+    </message>
+    <message>
+        <source>size tall small fat thin</source>
+        <translation>Größe groß klein dick dünn</translation>
+    </message>
+    <message>
+        <source>mood emotion happy sad attribute</source>
+        <translation>Stimmung Gefühl fröhlich traurig Eigenschaft</translation>
+    </message>
+    <message>
+        <source>trigger message signal</source>
+        <translation>auslösen Nachricht Signal</translation>
+    </message>
+    <message>
+        <source>go target destination send</source>
+        <translation>hingehen Ziel losschicken</translation>
+    </message>
+    <message>
+        <source>route way road line street parade queue</source>
+        <translation>Route Weg Strecke Linie Straße Umzug Schlange</translation>
+    </message>
+    <message>
+        <source>wall fence barrier obstacle exit entrance door area zone</source>
+        <translation>Mauer Wand Zaun Absperrung Hindernis Ausgang Eingang Tür Fläche Zone</translation>
+    </message>
+    <message>
+        <source>shove spread move comb</source>
+        <translation>drücken verteilen verschieben kämmen</translation>
+    </message>
+    <message>
+        <source>family friends couple pair link</source>
+        <translation>Familie Freunde Paar Verbindung</translation>
+    </message>
+    <message>
+        <source>family team layer flock</source>
+        <translation>Familie Mannschaft Ebene Schwarm</translation>
+    </message>
+    <message>
+        <source>undo original back reset former</source>
+        <translation>rückgängig ursprünglich zurück zurücksetzen vorher</translation>
+    </message>
+    <message>
+        <source>mix swap random</source>
+        <translation>mischen tauschen zufällig</translation>
+    </message>
+    <message>
+        <source>blur even average</source>
+        <translation>weichzeichnen angleichen Mittelwert</translation>
+    </message>
+    <message>
+        <source>copy stamp duplicate</source>
+        <translation>kopieren Stempel duplizieren</translation>
+    </message>
+    <message>
+        <source>replace character model exchange</source>
+        <translation>ersetzen Charakter Modell austauschen</translation>
+    </message>
+    <message>
+        <source>label mark keyword</source>
+        <translation>Etikett markieren Schlagwort</translation>
+    </message>
+    <message>
+        <source>arrow pointer choose pick move</source>
+        <translation>Pfeil Zeiger wählen anklicken verschieben</translation>
+    </message>
+    <message>
+        <source>characters people models stages assets</source>
+        <translation>Figuren Leute Modelle Bühnen Assets</translation>
+    </message>
+    <message>
+        <source>character model figure glTF GLB Mixamo Blender load</source>
+        <translation>Charakter Modell Figur glTF GLB Mixamo Blender laden</translation>
+    </message>
+    <message>
+        <source>set building scenery model glTF GLB background load</source>
+        <translation>Kulisse Gebäude Szenerie Modell glTF GLB Hintergrund laden</translation>
+    </message>
+    <message>
+        <source>render export screenshot image PNG EXR still</source>
+        <translation>rendern exportieren Bildschirmfoto Bild PNG EXR Standbild</translation>
+    </message>
+    <message>
+        <source>render export video film MP4 GIF animation</source>
+        <translation>rendern exportieren Video Film MP4 GIF Animation</translation>
+    </message>
+    <message>
+        <source>bookmark viewpoint shot</source>
+        <translation>Lesezeichen Blickpunkt Einstellung</translation>
+    </message>
+    <message>
+        <source>keyframe key flight move shot</source>
+        <translation>Keyframe Schlüsselbild Flug Fahrt Einstellung</translation>
+    </message>
+    <message>
+        <source>copy paste clone</source>
+        <translation>kopieren einfügen klonen</translation>
+    </message>
+    <message>
+        <source>back revert mistake</source>
+        <translation>zurück rückgängig Fehler</translation>
+    </message>
+    <message>
+        <source>settings options language memory tablet</source>
+        <translation>Einstellungen Optionen Sprache Speicher Tablett</translation>
+    </message>
+    <message>
+        <source>loop repeat cycle</source>
+        <translation>Schleife wiederholen Loop</translation>
+    </message>
+    <message>
+        <source>freeze bake position stop</source>
+        <translation>einfrieren festhalten Position anhalten</translation>
+    </message>
+    <message>
+        <source>drop floor snap height</source>
+        <translation>fallen lassen Boden einrasten Höhe</translation>
+    </message>
+    <message>
+        <source>navmesh navigation mesh floor</source>
+        <translation>Navmesh Navigation Boden</translation>
+    </message>
+    <message>
+        <source>canvas docks interface hide</source>
+        <translation>Leinwand Docks Oberfläche ausblenden</translation>
+    </message>
+    <message>
+        <source>lamp sun sky night day shadow fog spotlight</source>
+        <translation>Lampe Sonne Himmel Nacht Tag Schatten Nebel Strahler</translation>
+    </message>
+    <message>
+        <source>wall fence obstacle exit entrance door area zone places</source>
+        <translation>Mauer Wand Zaun Hindernis Ausgang Eingang Tür Fläche Zone Orte</translation>
+    </message>
+    <message>
+        <source>behaviour behavior trigger condition if cue</source>
+        <translation>Verhalten Auslöser Bedingung wenn Stichwort</translation>
+    </message>
+    <message>
+        <source>snapshot pose version mood</source>
+        <translation>Schnappschuss Pose Fassung Stimmung</translation>
+    </message>
+    <message>
+        <source>keyframe animation marker schedule</source>
+        <translation>Keyframe Animation Markierung Ablauf</translation>
+    </message>
+    <message>
+        <source>recording cache simulation bake</source>
+        <translation>Aufnahme Cache Simulation</translation>
+    </message>
+    <message>
+        <source>undo back steps</source>
+        <translation>rückgängig zurück Schritte</translation>
+    </message>
+    <message>
+        <source>layers edit later stack</source>
+        <translation>Ebenen später bearbeiten Stapel</translation>
+    </message>
+    <message>
+        <source>favourites favorites saved brushes</source>
+        <translation>Favoriten gespeicherte Pinsel</translation>
+    </message>
+    <message>
+        <source>selected person inspector properties</source>
+        <translation>ausgewählte Person Inspektor Eigenschaften</translation>
+    </message>
+    <message>
+        <source>outliner stages characters files missing</source>
+        <translation>Outliner Bühnen Figuren Dateien fehlende</translation>
+    </message>
+    <message>
+        <source>characters models mix weights people</source>
+        <translation>Figuren Modelle Mischung Gewichte Leute</translation>
+    </message>
+    <message>
+        <source>color palette swatches dropper wheel</source>
+        <translation>Palette Farbfelder Pipette Farbkreis</translation>
+    </message>
+    <message>
+        <source>mood emotion attributes</source>
+        <translation>Stimmung Gefühl Eigenschaften</translation>
+    </message>
+    <message>
+        <source>family friends links network</source>
+        <translation>Familie Freunde Verbindungen Netz</translation>
+    </message>
+    <message>
+        <source>layers families teams visibility hide lock</source>
+        <translation>Ebenen Familien Mannschaften Sichtbarkeit ausblenden sperren</translation>
+    </message>
+    <message>
+        <source>script code programming</source>
+        <translation>Skript Code programmieren</translation>
+    </message>
+    <message>
+        <source>style cartoon clay background tone comic</source>
+        <translation>Stil Cartoon Ton Gips Hintergrund Comic Zeichentrick</translation>
+    </message>
+</context>
+<context>
     <name>FlySession</name>
     <message>
         <source>Flying at %1 m/s – W A S D, Q and E, wheel for the speed, click to land, Escape to go back</source>
@@ -6443,6 +6682,10 @@
     <message>
         <source>Take back a single corner</source>
         <translation>Eine einzelne Ecke zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Two corners make a line: an area has three or more.</source>
+        <translation>Zwei Ecken ergeben eine Linie: eine Fläche hat drei oder mehr.</translation>
     </message>
 </context>
 <context>
@@ -8783,8 +9026,8 @@
         </translation>
     </message>
     <message>
-        <source>Click: select · Drag: area, or move who is selected · Shift: add, Ctrl: toggle, areas from anywhere · Double click: a place into a path, a corner into a line or out of it · L: lasso or rectangle · Delete: remove · F: show the selection</source>
-        <translation>Klick: auswählen · Ziehen: Bereich, oder die Auswahl verschieben · Umschalt: dazu, Strg: umkehren, Bereiche von überall · Doppelklick: ein Ort in einen Weg, eine Ecke in eine Linie oder heraus · L: Lasso oder Rechteck · Entf: löschen · F: Auswahl zeigen</translation>
+        <source>Click: select · Drag: area, or move who is selected · Shift: add to the selection · Ctrl: in or out of it · Double click: puts a place into a path, a corner into a line or takes it out · L: lasso or rectangle · Delete: remove · F: show the selection</source>
+        <translation>Klick: auswählen · Ziehen: Bereich, oder die Auswahl verschieben · Umschalt: zur Auswahl dazu · Strg: hinein oder heraus · Doppelklick: setzt einen Ort in einen Weg, eine Ecke in eine Linie oder nimmt sie heraus · L: Lasso oder Rechteck · Entf: löschen · F: Auswahl zeigen</translation>
     </message>
 </context>
 <context>
@@ -9700,6 +9943,17 @@ Verworfen ist sie fort.</translation>
         <source>&amp;Not Now</source>
         <translation>&amp;Jetzt nicht</translation>
     </message>
+    <message numerus="yes">
+        <source>It has %n character(s).</source>
+        <translation>
+            <numerusform>Sie hat %n Figur.</numerusform>
+            <numerusform>Sie hat %n Figuren.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 Stage: %2.</source>
+        <translation>%1 Bühne: %2.</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::Interpreter</name>
@@ -10392,10 +10646,6 @@ Verworfen ist sie fort.</translation>
         <translation>Maustasten der Pinsel</translation>
     </message>
     <message>
-        <source>Memory for baked animations</source>
-        <translation>Speicher für vorbereitete Animationen</translation>
-    </message>
-    <message>
         <source>Show the welcome page</source>
         <translation>Willkommensseite zeigen</translation>
     </message>
@@ -10446,6 +10696,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Memory for prepared animations</source>
+        <translation>Speicher für vorbereitete Animationen</translation>
     </message>
 </context>
 <context>
@@ -10784,10 +11038,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Brush Settings</source>
         <translation>Pinseleinstellungen</translation>
-    </message>
-    <message>
-        <source>This tool has no settings. Choose a brush to set it.</source>
-        <translation>Dieses Werkzeug hat keine Einstellungen. Einen Pinsel wählen.</translation>
     </message>
     <message>
         <source>Script Brush: %1</source>
@@ -12056,6 +12306,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Change sun, sky or air</source>
         <translation>Sonne, Himmel oder Luft ändern</translation>
+    </message>
+    <message>
+        <source>Show the chosen lamp in the picture</source>
+        <translation>Die gewählte Lampe im Bild zeigen</translation>
     </message>
 </context>
 <context>
@@ -13351,6 +13605,10 @@ Verworfen ist sie fort.</translation>
             <numerusform>%n Figuren sind nur in einem von beiden da.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is kept. It begins at %2 s, where the run did.</source>
+        <translation>„%1“ ist behalten. Er beginnt bei %2 s, wo der Lauf begann.</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::TemplateDelegate</name>
@@ -13624,24 +13882,8 @@ Drop a character (.glb) or a stage here, or open a scene from the File menu.</so
 Eine Figur (.glb) oder eine Bühne hierher ziehen oder im Menü „Datei“ eine Szene öffnen.</translation>
     </message>
     <message>
-        <source>Baking %1 of %2 clips</source>
-        <translation>Clip %1 von %2 wird vorbereitet</translation>
-    </message>
-    <message>
-        <source>Bake</source>
-        <translation>Vorbereiten</translation>
-    </message>
-    <message>
-        <source>Go on baking</source>
-        <translation>Weiter vorbereiten</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Stop baking: whose animation is not ready stands still</source>
-        <translation>Vorbereiten anhalten: wessen Animation nicht fertig ist, steht still</translation>
     </message>
     <message>
         <source>Take it back (Esc)</source>
@@ -13664,16 +13906,32 @@ C drücken und Figuren auf den Boden malen.</translation>
         <translation>Herausfinden, wo man gehen kann</translation>
     </message>
     <message>
-        <source>Animations are not baked: some characters stand still.</source>
+        <source>Playing up to this moment once more</source>
+        <translation>Spielt bis zu diesem Augenblick noch einmal</translation>
+    </message>
+    <message>
+        <source>Animations are not prepared: some characters stand still.</source>
         <translation>Animationen sind nicht vorbereitet: manche Figuren stehen still.</translation>
     </message>
     <message>
-        <source>The memory for baked animations is used up: some characters stand still. The preferences set its size.</source>
-        <translation>Der Speicher für Animationen ist voll: Manche Figuren stehen still. Die Größe steht in den Einstellungen.</translation>
+        <source>Prepare</source>
+        <translation>Vorbereiten</translation>
     </message>
     <message>
-        <source>Playing up to this moment once more</source>
-        <translation>Spielt bis zu diesem Augenblick noch einmal</translation>
+        <source>Go on preparing them</source>
+        <translation>Sie weiter vorbereiten</translation>
+    </message>
+    <message>
+        <source>Preparing animations: %1 of %2</source>
+        <translation>Animationen werden vorbereitet: %1 von %2</translation>
+    </message>
+    <message>
+        <source>Stop: whose animation is not ready stands still</source>
+        <translation>Anhalten: wessen Animation nicht fertig ist, steht still</translation>
+    </message>
+    <message>
+        <source>The memory for prepared animations is used up: some characters stand still. The preferences set its size.</source>
+        <translation>Der Speicher für vorbereitete Animationen ist voll: manche Figuren stehen still. Die Einstellungen setzen seine Größe.</translation>
     </message>
 </context>
 <context>

@@ -4207,6 +4207,245 @@
     </message>
 </context>
 <context>
+    <name>FindWords</name>
+    <message>
+        <source>people spray add place populate audience</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>erase eraser rubber remove people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>color dye clothes tint paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clothes dress costume uniform fans team</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>skin hair cloth texture variant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hat bag props accessories</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dance clap wave cheer motion pose move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gait speed run stroll</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset phase synchronous delay wave</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn rotate look face direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>size tall small fat thin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mood emotion happy sad attribute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trigger message signal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go target destination send</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>route way road line street parade queue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wall fence barrier obstacle exit entrance door area zone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shove spread move comb</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>family friends couple pair link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>family team layer flock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>undo original back reset former</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mix swap random</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blur even average</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>copy stamp duplicate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>replace character model exchange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>label mark keyword</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>arrow pointer choose pick move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>characters people models stages assets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>character model figure glTF GLB Mixamo Blender load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set building scenery model glTF GLB background load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>render export screenshot image PNG EXR still</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>render export video film MP4 GIF animation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bookmark viewpoint shot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>keyframe key flight move shot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>copy paste clone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>back revert mistake</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>settings options language memory tablet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>loop repeat cycle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>freeze bake position stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drop floor snap height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>navmesh navigation mesh floor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>canvas docks interface hide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lamp sun sky night day shadow fog spotlight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wall fence obstacle exit entrance door area zone places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>behaviour behavior trigger condition if cue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>snapshot pose version mood</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>keyframe animation marker schedule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recording cache simulation bake</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>undo back steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layers edit later stack</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>favourites favorites saved brushes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>selected person inspector properties</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outliner stages characters files missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>characters models mix weights people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>color palette swatches dropper wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mood emotion attributes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>family friends links network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layers families teams visibility hide lock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>script code programming</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>style cartoon clay background tone comic</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>FlySession</name>
     <message>
         <source>Flying at %1 m/s – W A S D, Q and E, wheel for the speed, click to land, Escape to go back</source>
@@ -6442,6 +6681,10 @@
     </message>
     <message>
         <source>Take back a single corner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two corners make a line: an area has three or more.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8783,7 +9026,7 @@
         </translation>
     </message>
     <message>
-        <source>Click: select · Drag: area, or move who is selected · Shift: add, Ctrl: toggle, areas from anywhere · Double click: a place into a path, a corner into a line or out of it · L: lasso or rectangle · Delete: remove · F: show the selection</source>
+        <source>Click: select · Drag: area, or move who is selected · Shift: add to the selection · Ctrl: in or out of it · Double click: puts a place into a path, a corner into a line or takes it out · L: lasso or rectangle · Delete: remove · F: show the selection</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9694,6 +9937,17 @@ Thrown away, it is gone.</source>
         <source>&amp;Not Now</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>It has %n character(s).</source>
+        <translation>
+            <numerusform>It has %n character.</numerusform>
+            <numerusform>It has %n characters.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 Stage: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::Interpreter</name>
@@ -10386,10 +10640,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Memory for baked animations</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Show the welcome page</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10439,6 +10689,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory for prepared animations</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10775,10 +11029,6 @@ Thrown away, it is gone.</source>
     <name>crowd::widgets::BrushSettingsDock</name>
     <message>
         <source>Brush Settings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This tool has no settings. Choose a brush to set it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12047,6 +12297,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Change sun, sky or air</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the chosen lamp in the picture</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -13343,6 +13597,10 @@ Thrown away, it is gone.</source>
             <numerusform>%n characters are there in one of them only.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is kept. It begins at %2 s, where the run did.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::TemplateDelegate</name>
@@ -13615,23 +13873,7 @@ Drop a character (.glb) or a stage here, or open a scene from the File menu.</so
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Baking %1 of %2 clips</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Bake</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Go on baking</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop baking: whose animation is not ready stands still</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -13653,15 +13895,31 @@ Press C and paint characters on the ground.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Animations are not baked: some characters stand still.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The memory for baked animations is used up: some characters stand still. The preferences set its size.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Playing up to this moment once more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Animations are not prepared: some characters stand still.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on preparing them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preparing animations: %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop: whose animation is not ready stands still</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The memory for prepared animations is used up: some characters stand still. The preferences set its size.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
