@@ -89,7 +89,7 @@ MainWindow::MainWindow()
     applyPreferences(Preferences::load());
     rememberView(m_state);
     refreshTitle();
-    WelcomeHint::showOnce(m_viewport, m_document);
+    WelcomeHint::showOnce(m_viewport, m_state);
     m_viewport->setFocus();
 }
 
@@ -140,7 +140,7 @@ void MainWindow::renewAround()
     }
     if (auto* hint = m_viewport->findChild<WelcomeHint*>()) {
         delete hint;
-        WelcomeHint::showOnce(m_viewport, m_document);
+        WelcomeHint::showOnce(m_viewport, m_state);
     }
     refreshTitle();
     setUpdatesEnabled(true);

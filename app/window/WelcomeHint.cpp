@@ -15,6 +15,7 @@ namespace {
 
 const QString kSeenKey = QStringLiteral("window/hasSeenWelcome");
 constexpr int kBorder = 14;
+constexpr int kRoomOfWork = 46;
 constexpr int kEditsToKnow = 3; ///< after so many somebody has found out
 
 /// Dark on any picture and in any theme, like the other plates over it.
@@ -28,14 +29,14 @@ const QString kStyle = QStringLiteral(R"(
 
 } // namespace
 
-void WelcomeHint::showOnce(QWidget* picture, const model::SceneDocument& document)
+void WelcomeHint::showOnce(QWidget* picture, const widgets::EditorState& state)
 {
     if (!QSettings().value(kSeenKey).toBool()) {
-        new WelcomeHint(picture, document); // the picture's child
+        new WelcomeHint(picture, state); // the picture's child
     }
 }
 
-WelcomeHint::WelcomeHint(QWidget* picture, const model::SceneDocument& document) : QFrame(picture)
+WelcomeHint::WelcomeHint(QWidget* picture, const widgets::EditorState& state) : QFrame(picture)
 {
     setObjectName(QStringLiteral("welcomeHint"));
     setStyleSheet(kStyle);
@@ -49,18 +50,22 @@ WelcomeHint::WelcomeHint(QWidget* picture, const model::SceneDocument& document)
     close->setToolTip(tr("Close, and do not show this again"));
     close->setFocusPolicy(Qt::NoFocus);
     connect(close, &QToolButton::clicked, this, &WelcomeHint::dismiss);
-    connect(&document.undoStack(), &QUndoStack::indexChanged, this, [this](int index) {
+    connect(&state.document().undoStack(), &QUndoStack::indexChanged, this, [this](int index) {
         if (index >= kEditsToKnow) {
             dismiss();
         }
     });
+    const auto showForItsBrush = [this, &state] {
+        setVisible(state.tool() == widgets::ToolId::BrushCreate);
+    };
+    connect(&state, &widgets::EditorState::toolChanged, this, showForItsBrush);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(13, 9, 7, 9);
     layout->addWidget(text, 1);
     layout->addWidget(close, 0, Qt::AlignTop);
     picture->installEventFilter(this);
     place();
-    show();
+    showForItsBrush();
 }
 
 void WelcomeHint::dismiss()
@@ -80,8 +85,9 @@ void WelcomeHint::place()
     text->setWordWrap(whole.width() > room);
     const int across = std::min(whole.width(), room);
     resize(across, text->wordWrap() ? layout()->heightForWidth(across) : whole.height());
-    // Below: legends and what is going on are told above.
-    move((parentWidget()->width() - width()) / 2, parentWidget()->height() - height() - kBorder);
+    // Below, where no legend is, and above the bar that tells of long work.
+    move((parentWidget()->width() - width()) / 2,
+         parentWidget()->height() - height() - kBorder - kRoomOfWork);
 }
 
 bool WelcomeHint::eventFilter(QObject* picture, QEvent* event)

@@ -710,6 +710,12 @@ void PanelsTest::smallWindowCutsNothingOff()
     QVERIFY2(m_window->viewport().rect().contains(hint->geometry()),
              qPrintable(QString::number(m_window->viewport().width())));
     QVERIFY2(hint->y() > m_window->viewport().height() / 2, "legends are above");
+    const auto* work = m_window->viewport().findChild<QWidget*>(QStringLiteral("workBar"));
+    QVERIFY(!work->geometry().intersects(hint->geometry()));
+    m_window->state().setTool(widgets::ToolId::BrushColour);
+    QVERIFY(!hint->isVisible()); // it tells of another brush
+    m_window->state().setTool(widgets::ToolId::BrushCreate);
+    QVERIFY(hint->isVisible());
     const auto* text = hint->findChild<QLabel*>();
     QVERIFY(text->height() >= text->heightForWidth(text->width()));
     m_window->resize(1600, 700);
