@@ -29,6 +29,17 @@ void click(Hand& hand, QPointF place)
     hand.release(place);
 }
 
+/// The colour that the colour brush takes of somebody with Ctrl; nothing: it takes none.
+std::optional<model::PaintColor> takenFrom(Hand& hand, model::IndividualId id)
+{
+    hand.state.setTool(ToolId::BrushColour);
+    const QSignalSpy picked(&hand.state, &EditorState::colorPicked);
+    hand.modifiers = Qt::ControlModifier;
+    click(hand, hand.pixelOf(id));
+    return picked.isEmpty() ? std::nullopt
+                            : std::optional(picked.back().front().value<model::PaintColor>());
+}
+
 } // namespace
 
 class PickDragTest : public QObject
@@ -71,12 +82,9 @@ void PickDragTest::controlTakesTheColourThatSomebodyWears()
     const auto ids = testing::addPeople(hand.document, 2);
     wear(hand, std::span(ids).first(1), {10, 20, 30, 255});
     const int steps = hand.document.undoStack().count();
-    hand.state.setTool(ToolId::BrushColour);
-    QSignalSpy picked(&hand.state, &EditorState::colorPicked);
-    hand.modifiers = Qt::ControlModifier;
-    click(hand, hand.pixelOf(ids[0])); // the chest: the top
-    QVERIFY(picked.count() > 0);
-    QCOMPARE(picked.back().front().value<model::PaintColor>(), (model::PaintColor{10, 20, 30}));
+    const auto taken = takenFrom(hand, ids[0]); // the chest: the top
+    QVERIFY(taken.has_value());
+    QCOMPARE(*taken, (model::PaintColor{10, 20, 30}));
     QVERIFY2(hand.document.undoStack().count() == steps, "nobody is painted");
 }
 
@@ -88,12 +96,9 @@ void PickDragTest::theSlotOfTheBrushIsMeant()
     model::BrushSettings brush = hand.state.brush(model::BrushKind::Colour);
     brush.as<crowd::model::ColourSettings>().slot = "bottom";
     hand.state.setBrush(brush);
-    hand.state.setTool(ToolId::BrushColour);
-    QSignalSpy picked(&hand.state, &EditorState::colorPicked);
-    hand.modifiers = Qt::ControlModifier;
-    click(hand, hand.pixelOf(ids[0]));
-    QVERIFY(picked.count() > 0);
-    QVERIFY(picked.back().front().value<model::PaintColor>() != (model::PaintColor{10, 20, 30}));
+    const auto taken = takenFrom(hand, ids[0]);
+    QVERIFY(taken.has_value());
+    QVERIFY(*taken != (model::PaintColor{10, 20, 30}));
 }
 
 void PickDragTest::anUntintedSlotHasTheColourOfItsMaterial()
@@ -108,12 +113,9 @@ void PickDragTest::anUntintedSlotHasTheColourOfItsMaterial()
                         std::span<const model::MaterialChoices>(&blue, 1));
         edit->commit(QStringLiteral("Blue"));
     }
-    hand.state.setTool(ToolId::BrushColour);
-    QSignalSpy picked(&hand.state, &EditorState::colorPicked);
-    hand.modifiers = Qt::ControlModifier;
-    click(hand, hand.pixelOf(ids[0]));
-    QVERIFY(picked.count() > 0);
-    QCOMPARE(picked.back().front().value<model::PaintColor>(), (model::PaintColor{0, 0, 255}));
+    const auto taken = takenFrom(hand, ids[0]);
+    QVERIFY(taken.has_value());
+    QCOMPARE(*taken, (model::PaintColor{0, 0, 255}));
 }
 
 /// Whatever tint is kept for it: that is not drawn.
@@ -127,12 +129,9 @@ void PickDragTest::whatCannotBeTintedHasItsOwnColour()
     scene.templates[0].asset = asset;
     hand.document.replaceScene(std::move(scene), {});
     wear(hand, ids, {10, 20, 30, 255});
-    hand.state.setTool(ToolId::BrushColour);
-    QSignalSpy picked(&hand.state, &EditorState::colorPicked);
-    hand.modifiers = Qt::ControlModifier;
-    click(hand, hand.pixelOf(ids[0]));
-    QVERIFY(picked.count() > 0);
-    QVERIFY(picked.back().front().value<model::PaintColor>() != (model::PaintColor{10, 20, 30}));
+    const auto taken = takenFrom(hand, ids[0]);
+    QVERIFY(taken.has_value());
+    QVERIFY(*taken != (model::PaintColor{10, 20, 30}));
 }
 
 void PickDragTest::theDropperWorksOnceAndNobodyIsSaid()
