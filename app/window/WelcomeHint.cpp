@@ -15,7 +15,7 @@ namespace {
 
 const QString kSeenKey = QStringLiteral("window/hasSeenWelcome");
 constexpr int kBorder = 14;
-constexpr int kRoomOfWork = 46;
+constexpr int kRoomOfWork = 46; ///< below it, for the bar of long work
 constexpr int kEditsToKnow = 3; ///< after so many somebody has found out
 
 /// Dark on any picture and in any theme, like the other plates over it.

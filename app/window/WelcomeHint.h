@@ -7,7 +7,7 @@
 
 namespace crowd::app {
 
-/// The first lines for somebody who has never painted a crowd, at the head of the picture. Goes
+/// The first lines for somebody who has never painted a crowd, at the foot of the picture. Goes
 /// for good with the first edits or when it is closed; the settings remember that. Hidden while
 /// another brush is in hand than the one it tells of. A child of the picture; the state outlives
 /// it.
