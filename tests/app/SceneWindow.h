@@ -13,6 +13,7 @@
 #include "model/project/ProjectFile.h"
 #include "tests/app/PlainScene.h"
 #include "tests/app/WindowTools.h"
+#include "widgets/theme/Theme.h"
 
 /// What tests of the editor's real window share: scenes, and a window with settings of its own.
 namespace crowd::testing {
@@ -45,6 +46,8 @@ protected:
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder->path());
         QSettings().clear();
         QSettings().setValue(QStringLiteral("preferences/pictureQuality"), QStringLiteral("fast"));
+        widgets::applyTheme(
+            widgets::Theme::System); // as the program does, before there are widgets
         openWindow();
     }
     void openWindow()

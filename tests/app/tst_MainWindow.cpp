@@ -17,6 +17,7 @@
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QSpinBox>
 #include <QtWidgets/QStatusBar>
+#include <QtWidgets/QStyle>
 #include <QtWidgets/QTableWidget>
 #include <QtWidgets/QToolBar>
 
@@ -614,6 +615,9 @@ void MainWindowTest::iconsFollowTheTheme()
     QVERIFY(average() > 150);
     widgets::applyTheme(widgets::Theme::Light);
     QVERIFY(average() < 100);
+    const QStyle* style = QApplication::style();
+    widgets::applyTheme(widgets::Theme::Light); // as it is: nothing is polished anew
+    QCOMPARE(QApplication::style(), style);
 }
 
 CROWD_WINDOW_TEST(MainWindowTest)

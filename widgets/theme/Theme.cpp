@@ -116,9 +116,13 @@ void applyTheme(Theme theme)
     static const bool isSystemDark = isDark(QApplication::palette());
     const bool dark = theme == Theme::Dark || (theme == Theme::System && isSystemDark);
     const Shades shades = dark ? darkShades() : lightShades();
+    const QString sheet = styleSheetOf(shades);
+    if (qApp->styleSheet() == sheet) {
+        return; // every widget there is would be polished anew: a second, for nothing
+    }
     QApplication::setStyle(new CrowdStyle); // the application owns it
     QApplication::setPalette(paletteOf(shades));
-    qApp->setStyleSheet(styleSheetOf(shades));
+    qApp->setStyleSheet(sheet);
 }
 
 } // namespace crowd::widgets

@@ -15,7 +15,8 @@ enum class Theme : unsigned char { System, Light, Dark };
 
 [[nodiscard]] bool isDark(const QPalette& palette);
 
-/// Sets style, palette and style sheet of the application; icons of iconNamed() follow.
+/// Sets style, palette and style sheet of the application, unless they are these already; icons of
+/// iconNamed() follow.
 void applyTheme(Theme theme);
 
 } // namespace crowd::widgets
