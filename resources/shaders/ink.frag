@@ -48,8 +48,35 @@ float closedNearness(ivec2 pixel)
     return leap > 0.1 ? beside : here;
 }
 
+// From one side to the other through the middle; what is before or behind both is no slope.
+float slopeThrough(float before, float here, float after)
+{
+    float first = here - before;
+    float second = after - here;
+    return first * second > 0.0 ? min(abs(first), abs(second)) : 0.0;
+}
+
+// Where a floor is seen from low down, a step of nothing leaps far: an edge is where more leaps than
+// that, of what is in front. How much that is, from how it goes on there.
+float leastLeap(ivec2 at, float here, float right, float left, float up, float down)
+{
+    float nearer = isPerspective ? 1.0 : -1.0; // the larger, the nearer
+    ivec2 front = at;
+    float nearest = nearer * here;
+    if (nearer * right > nearest) { front = at + ivec2(width, 0); nearest = nearer * right; }
+    if (nearer * left > nearest) { front = at - ivec2(width, 0); nearest = nearer * left; }
+    if (nearer * up > nearest) { front = at + ivec2(0, width); nearest = nearer * up; }
+    if (nearer * down > nearest) { front = at - ivec2(0, width); nearest = nearer * down; }
+    nearest *= nearer;
+    float across = slopeThrough(nearness(front - ivec2(width, 0)), nearest,
+                                nearness(front + ivec2(width, 0)));
+    float along = slopeThrough(nearness(front - ivec2(0, width)), nearest,
+                               nearness(front + ivec2(0, width)));
+    return 5.0 * max(across, along);
+}
+
 // How much ink there is on a pixel with these around it, 0 to 1.
-float inkAt(ivec2 at, float here, float right, float left, float up, float down)
+float inkAt(ivec2 at, float here, float right, float left, float up, float down, float least)
 {
     float across = abs(right + left - 2.0 * here);
     float along = abs(up + down - 2.0 * here);
@@ -57,12 +84,8 @@ float inkAt(ivec2 at, float here, float right, float left, float up, float down)
     across = at.x < width || at.x > last.x - width ? 0.0 : across;
     along = at.y < width || at.y > last.y - width ? 0.0 : along;
     float bend = max(across, along);
-    // Where a floor is seen from low down, a step of nothing leaps far: what is much more than the
-    // floor itself does is an edge.
-    float floors = 5.0 * max(min(abs(right - here), abs(left - here)),
-                             min(abs(up - here), abs(down - here)));
-    across *= step(floors, across);
-    along *= step(floors, along);
+    across *= step(least, across);
+    along *= step(least, along);
     float leap = max(across, along);
     float nearest = max(max(max(right, left), max(up, down)), here);
     if (bend < 0.00001 || (isPerspective && isHorizon(at, right, left, up, down, here))) {
@@ -83,15 +106,24 @@ void main()
     ivec2 at = ivec2(gl_FragCoord.xy);
     ivec2 aside = ivec2(width, 0);
     ivec2 above = ivec2(0, width);
-    float ink = inkAt(at, nearness(at), nearness(at + aside), nearness(at - aside),
-                      nearness(at + above), nearness(at - above));
+    float here = nearness(at);
+    float right = nearness(at + aside);
+    float left = nearness(at - aside);
+    float up = nearness(at + above);
+    float down = nearness(at - above);
+    float ink = inkAt(at, here, right, left, up, down, 0.0);
     if (ink < 0.02) {
         discard;
     }
-    // Few pixels come as far as this.
+    // Few pixels come as far as this, fewer farther.
+    float least = leastLeap(at, here, right, left, up, down);
+    ink = min(ink, inkAt(at, here, right, left, up, down, least));
+    if (ink < 0.02) {
+        discard;
+    }
     ink = min(ink, inkAt(at, closedNearness(at), closedNearness(at + aside),
                          closedNearness(at - aside), closedNearness(at + above),
-                         closedNearness(at - above)));
+                         closedNearness(at - above), least));
     if (ink < 0.02) {
         discard;
     }

@@ -50,6 +50,8 @@ private Q_SLOTS:
     void creasesHaveInk();
     void aCrackHasNone_data();
     void aCrackHasNone();
+    void aNotchIsFilled();
+    void legsHaveInkDownToTheGround();
     void aLowStepOfAFloorHasNoDots();
     void lightComesInSteps();
     void theOtherLooksHaveNone();
@@ -220,6 +222,37 @@ void TestCartoon::aCrackHasNone()
     QCOMPARE(inked(input) > 0, hasInk);
 }
 
+/// Where an outline has a notch, what is in front goes on above and below: no slope of a floor.
+void TestCartoon::aNotchIsFilled()
+{
+    model::Camera camera = model::Camera::lookingAt({0.0F, 50.0F, 5.0F}, {0.0F, 50.0F, 0.0F});
+    camera.projection = model::Projection::Orthographic;
+    camera.orthographicHeight = 1.0F;
+    render::RenderInput input = frontOf(camera, render::Look::Cartoon);
+    const float pixel = 1.0F / static_cast<float>(kPixels);
+    const float in = -3.0F * pixel;         // so deep
+    const float top = 50.0F + 2.0F * pixel; // and so high
+    model::StageMesh walls;                 // one with a notch in its edge, and one far behind
+    walls.positions = {{-9, 30, 0},  {0, 30, 0},  {0, 50, 0},   {-9, 50, 0},
+                       {-9, 50, 0},  {in, 50, 0}, {in, top, 0}, {-9, top, 0},
+                       {-9, top, 0}, {0, top, 0}, {0, 70, 0},   {-9, 70, 0},
+                       {-9, 30, -5}, {9, 30, -5}, {9, 70, -5},  {-9, 70, -5}};
+    walls.indices = {0, 1, 2,  0, 2,  3,  4,  5,  6,  4,  6,  7,
+                     8, 9, 10, 8, 10, 11, 12, 13, 14, 12, 14, 15};
+    const model::StageEntry entry = stageOf(std::move(walls));
+    input.frame = frameOf(model::Population(), {entryFor(m_man)});
+    input.stages = {&entry, 1};
+    input.ink = render::InkLine{3.0F, {}};
+    draw(input);
+    for (int row = kPixels / 2 - 2; row < kPixels / 2; ++row) {
+        for (int x = kPixels / 2 - 3; x < kPixels / 2; ++x) {
+            QVERIFY2(
+                brightness(x, row) < 260,
+                qPrintable(QStringLiteral("%1, %2: %3").arg(x).arg(row).arg(brightness(x, row))));
+        }
+    }
+}
+
 /// Seen from low down, along a kerb that is not level in the picture.
 void TestCartoon::aLowStepOfAFloorHasNoDots()
 {
@@ -239,6 +272,34 @@ void TestCartoon::aLowStepOfAFloorHasNoDots()
     input.background = {0.9F, 0.9F, 0.9F, 1.0F};
     const int dots = inked(input, kPixels * 5 / 8); // the far end of the floor is above
     QVERIFY2(dots == 0, qPrintable(QString::number(dots)));
+}
+
+/// Where the floor behind is near, but goes far from pixel to pixel.
+void TestCartoon::legsHaveInkDownToTheGround()
+{
+    render::RenderInput input = frontOf(
+        model::Camera::lookingAt({0.0F, 1.2F, 3.0F}, {0.0F, 0.6F, 0.0F}), render::Look::Cartoon);
+    input.showShadows = false;
+    model::StageMesh post;
+    post.positions = {{-40, 0, 12},  {40, 0, 12},  {40, 0, -400}, {-40, 0, -400},
+                      {-0.1F, 0, 0}, {0.1F, 0, 0}, {0.1F, 1, 0},  {-0.1F, 1, 0}};
+    post.indices = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
+    const model::StageEntry entry = stageOf(std::move(post));
+    input.frame = frameOf(model::Population(), {entryFor(m_man)});
+    input.stages = {&entry, 1};
+    input.showGround = false;
+    input.ink = render::InkLine{3.0F, {}};
+    draw(input);
+    const auto rowOf = [&](float height) {
+        return static_cast<int>(input.view.project({0.0F, height, 0.0F})->y);
+    };
+    for (int row = rowOf(0.6F); row < rowOf(0.16F); ++row) {
+        int dark = 0;
+        for (int x = 0; x < kPixels; ++x) {
+            dark += brightness(x, row) < 500 ? 1 : 0;
+        }
+        QVERIFY2(dark >= 6, qPrintable(QString::number(row))); // beside it on both sides
+    }
 }
 
 void TestCartoon::lightComesInSteps()
