@@ -18,6 +18,7 @@
 #include "app/pictures/MovieFormats.h"
 #include "app/window/PassFields.h"
 #include "app/window/PictureSizeFields.h"
+#include "widgets/forms/NumberBox.h"
 
 namespace crowd::app {
 
@@ -34,7 +35,7 @@ constexpr int kMovieStep = 2; ///< pixels: encoders want even numbers of rows an
 
 QDoubleSpinBox* secondsField(const char* name, QWidget* parent)
 {
-    auto* box = new QDoubleSpinBox(parent);
+    auto* box = new widgets::NumberBox(parent);
     box->setObjectName(QLatin1String(name));
     box->setRange(0.0, kMostSeconds);
     box->setDecimals(2);

@@ -13,6 +13,7 @@
 #include "app/pictures/PictureFormats.h"
 #include "app/window/PassFields.h"
 #include "app/window/PictureSizeFields.h"
+#include "widgets/forms/NumberBox.h"
 
 namespace crowd::app {
 
@@ -29,8 +30,8 @@ PictureDialog::PictureDialog(glm::ivec2 view, const model::Camera& camera,
     : QDialog(parent), m_size(new PictureSizeFields(view, kMostPixelsASide, 1,
                                                     QStringLiteral("picture/size"), this)),
       m_transparent(new QCheckBox(this)), m_hasLens(new QCheckBox(this)),
-      m_focuses(new QComboBox(this)), m_focus(new QDoubleSpinBox(this)),
-      m_fStop(new QDoubleSpinBox(this)),
+      m_focuses(new QComboBox(this)), m_focus(new widgets::NumberBox(this)),
+      m_fStop(new widgets::NumberBox(this)),
       m_passes(new PassFields(QStringLiteral("picture/passes"), this))
 {
     setWindowTitle(tr("Save Picture"));

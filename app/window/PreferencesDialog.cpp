@@ -17,6 +17,7 @@
 
 #include "app/window/Language.h"
 #include "app/window/ShortcutsPage.h"
+#include "widgets/forms/NumberBox.h"
 
 namespace crowd::app {
 
@@ -80,7 +81,7 @@ void Preferences::save() const
 PreferencesDialog::PreferencesDialog(widgets::ActionRegistry& actions, QWidget* parent)
     : QDialog(parent), m_before(Preferences::load()), m_shortcuts(new ShortcutsPage(actions, this)),
       m_theme(new QComboBox(this)), m_buttons(new QComboBox(this)), m_quality(new QComboBox(this)),
-      m_language(new QComboBox(this)), m_autosave(new QDoubleSpinBox(this)),
+      m_language(new QComboBox(this)), m_autosave(new widgets::NumberBox(this)),
       m_memory(new QSpinBox(this)), m_undoMemory(new QSpinBox(this)), m_groups(new QCheckBox(this)),
       m_languageNote(new QLabel(this)), m_welcome(new QCheckBox(this))
 {

@@ -20,6 +20,7 @@
 #include "app/window/TimeSlider.h"
 #include "app/window/WindowActions.h"
 #include "widgets/actions/ActionRegistry.h"
+#include "widgets/forms/NumberBox.h"
 #include "widgets/state/EditorState.h"
 
 namespace crowd::app {
@@ -55,7 +56,7 @@ void addClock(QToolBar& bar, const widgets::Transport& transport)
 /// How many times faster than life it plays.
 void addSpeedField(QToolBar& bar, widgets::EditorState& state, QWidget& picture)
 {
-    auto* speed = new QDoubleSpinBox(&bar);
+    auto* speed = new widgets::NumberBox(&bar);
     speed->setObjectName(QStringLiteral("playSpeed"));
     speed->setRange(0.1, 8.0);
     speed->setSingleStep(0.1);

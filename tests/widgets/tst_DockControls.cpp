@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <QtCore/QLocale>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QCheckBox>
@@ -8,6 +9,7 @@
 #include "widgets/docks/SwatchGrid.h"
 #include "widgets/forms/ClipMix.h"
 #include "widgets/forms/CurveEditor.h"
+#include "widgets/forms/NumberBox.h"
 #include "widgets/forms/NumberList.h"
 #include "widgets/forms/RangeSlider.h"
 #include "widgets/forms/ValueSlider.h"
@@ -53,6 +55,8 @@ private Q_SLOTS:
     void aDoubleClickOnlyTypes_data();
     void aDoubleClickOnlyTypes();
     void aTypedNumberIsTakenOnce();
+    void pointAndCommaAreBothUnderstood_data();
+    void pointAndCommaAreBothUnderstood();
     void numberListsGoBothWays_data();
     void numberListsGoBothWays();
     void drawnCurveIsKept();
@@ -205,6 +209,40 @@ void DockControlsTest::aTypedNumberIsTakenOnce()
     QCOMPARE(slider.value(), 7.0);
     QCOMPARE(edited.count(), 1);
     QTRY_VERIFY2(slider.findChild<QLineEdit*>() == nullptr, "the field closes");
+}
+
+void DockControlsTest::pointAndCommaAreBothUnderstood_data()
+{
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QLocale>("language");
+    QTest::addColumn<double>("wanted");
+    const QLocale english(QLocale::English);
+    const QLocale german(QLocale::German);
+    QTest::newRow("point, English") << QStringLiteral("0.5") << english << 0.5;
+    QTest::newRow("comma, English") << QStringLiteral("0,5") << english << 0.5;
+    QTest::newRow("point, German") << QStringLiteral("12.25") << german << 12.25;
+    QTest::newRow("comma, German") << QStringLiteral("12,25") << german << 12.25;
+}
+
+/// In fields with arrows, and typed over a slider.
+void DockControlsTest::pointAndCommaAreBothUnderstood()
+{
+    QFETCH(QString, typed);
+    QFETCH(QLocale, language);
+    QFETCH(double, wanted);
+    NumberBox box;
+    box.setLocale(language);
+    box.setSuffix(QStringLiteral(" m/s"));
+    box.selectAll();
+    QTest::keyClicks(&box, typed);
+    QCOMPARE(box.value(), wanted);
+    const QLocale before;
+    QLocale::setDefault(language);
+    const auto number = typedNumber(typed);
+    const auto thousand = typedNumber(QStringLiteral("1,000"));
+    QLocale::setDefault(before);
+    QCOMPARE(number.value_or(-1.0), wanted);
+    QVERIFY(thousand != 1000.0);
 }
 
 void DockControlsTest::numberListsGoBothWays_data()

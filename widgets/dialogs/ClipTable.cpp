@@ -11,6 +11,8 @@
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QHeaderView>
 
+#include "widgets/forms/NumberBox.h"
+
 namespace crowd::widgets {
 
 namespace {
@@ -62,7 +64,7 @@ void ClipTable::addRow(int row, const model::Clip& clip, bool isDefault)
     for (QTableWidgetItem* item : {nameItem, length}) {
         item->setFlags(item->flags() & ~Qt::ItemIsEditable);
     }
-    auto* speed = new QDoubleSpinBox(this);
+    auto* speed = new NumberBox(this);
     speed->setRange(0.0, kFastestClip);
     speed->setSingleStep(0.05);
     speed->setSuffix(tr(" m/s"));

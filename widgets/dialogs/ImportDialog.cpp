@@ -21,6 +21,7 @@
 #include "model/gltf/GltfImport.h"
 #include "widgets/dialogs/ClipTable.h"
 #include "widgets/dialogs/TemplatePreview.h"
+#include "widgets/forms/NumberBox.h"
 
 namespace crowd::widgets {
 
@@ -72,7 +73,7 @@ std::pair<int, float> splitRotation(const glm::quat& rotation)
 
 QDoubleSpinBox* numberBox(double low, double high, double step, int decimals, QWidget* parent)
 {
-    auto* box = new QDoubleSpinBox(parent);
+    auto* box = new NumberBox(parent);
     box->setRange(low, high);
     box->setSingleStep(step);
     box->setDecimals(decimals);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <QtCore/QLocale>
+#include <QtCore/QRegularExpression>
 #include <QtGui/QMouseEvent>
 #include <QtGui/QPainter>
 #include <QtGui/QWheelEvent>
@@ -107,8 +108,9 @@ std::optional<double> typedNumber(const QString& text)
     locale.setNumberOptions(QLocale::RejectGroupSeparator); // "1.500" is one and a half
     bool isNumber = false;
     double number = locale.toDouble(text.trimmed(), &isNumber);
-    if (!isNumber) {
-        number = text.trimmed().toDouble(&isNumber); // a point is understood everywhere
+    if (!isNumber) { // a point and a comma are understood everywhere, but not "1,000" as one
+        static const QRegularExpression kComma(QStringLiteral("(?<=\\d),(?!\\d{3}$)"));
+        number = text.trimmed().replace(kComma, QStringLiteral(".")).toDouble(&isNumber);
     }
     return isNumber && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }

@@ -76,7 +76,7 @@ void typeOverBar(QWidget& slider, const QString& text,
                  const std::function<void(const QString&)>& typed);
 /// Closes that field without taking what was typed; false: there is none.
 bool dismissTyping(QWidget& slider);
-/// In the language of the user or, with a point, of everybody.
+/// In the language of the user or, with a point or comma before decimals, of everybody.
 [[nodiscard]] std::optional<double> typedNumber(const QString& text);
 /// Says that what was typed is no number.
 void refuseTyped(QWidget& slider, const QString& text);

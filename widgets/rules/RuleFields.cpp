@@ -16,6 +16,7 @@
 #include <QtWidgets/QToolButton>
 
 #include "model/population/Columns.h"
+#include "widgets/forms/NumberBox.h"
 #include "widgets/forms/WrapRow.h"
 #include "widgets/rules/RuleTexts.h"
 #include "widgets/state/FeatureTexts.h"
@@ -112,7 +113,7 @@ void addGroupedField(QHBoxLayout* row, const QStringList& names,
 void addNumberField(QHBoxLayout* row, double value, double low, double high, const QString& suffix,
                     const std::function<void(double)>& changed, const QString& zero)
 {
-    auto* box = new QDoubleSpinBox;
+    auto* box = new NumberBox;
     box->setSpecialValueText(zero);
     box->setRange(low, high);
     box->setDecimals(2);

@@ -19,6 +19,7 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "model/project/PresetFolder.h"
+#include "widgets/forms/NumberBox.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/state/PresetUse.h"
 #include "widgets/state/StoredColours.h"
@@ -193,7 +194,7 @@ QWidget* BrushPopup::makeSettings()
     m_sizeText = new QLabel(m_settings);
     m_sizeText->setMinimumWidth(fontMetrics().horizontalAdvance(tr("%1 px").arg(1000)));
     m_numberText = new QLabel(m_settings);
-    m_number = new QDoubleSpinBox(m_settings);
+    m_number = new NumberBox(m_settings);
     grid->addWidget(new QLabel(tr("Area"), m_settings), 0, 0);
     grid->addWidget(m_selection, 0, 1, 1, 2);
     grid->addWidget(new QLabel(tr("Size"), m_settings), 1, 0);
