@@ -69,6 +69,7 @@ private Q_SLOTS:
     void penPressureReachesTheBrush();
     void survivesANewContext();
     void rightButtonOpensThePaletteAndItChoosesTools();
+    void thePaletteOpensAtTheToolInHand();
     void thePaletteIsSmallAndHasWhatWasUsedLately();
     void escapeWhileTheButtonIsDownTakesBack();
     void statisticsAreTold();
@@ -386,6 +387,38 @@ void TestViewportWindow::rightButtonOpensThePaletteAndItChoosesTools()
     QCOMPARE(studio.state.tool(), ToolId::BrushColour);
     QTRY_VERIFY(!popup->isVisible());
     QCOMPARE(studio.people(), std::size_t{0});
+}
+
+/// A second click on the same spot does nothing; rows that a brush has no use for are not there.
+void TestViewportWindow::thePaletteOpensAtTheToolInHand()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    studio.state.setTool(ToolId::BrushDelete);
+    QTest::mouseClick(studio.view, Qt::RightButton, {}, kCenter);
+    auto* popup = studio.view->findChild<BrushPopup*>();
+    QTRY_VERIFY(popup->isVisible());
+    const auto isThere = [popup](const char* name) {
+        const auto* part = popup->findChild<QWidget*>(QLatin1String(name));
+        return part != nullptr && part->isVisible();
+    };
+    const auto* button = popup->findChild<QToolButton*>(QStringLiteral("brush-delete"));
+    const QPoint pointer = button->mapFromGlobal(studio.view->mapToGlobal(kCenter));
+    QVERIFY(button->rect().contains(pointer));
+    QVERIFY(isThere("area"));
+    popup->close();
+    model::BrushSettings all = studio.state.brush(model::BrushKind::Delete);
+    all.selection = model::BrushSelection::Lasso;
+    studio.state.setBrush(all);
+    QTest::mouseClick(studio.view, Qt::RightButton, {}, kCenter);
+    QTRY_VERIFY(isThere("area"));
+    QVERIFY(!isThere("size"));
+    popup->close();
+    studio.state.setTool(ToolId::BrushEnvironment);
+    QTest::mouseClick(studio.view, Qt::RightButton, {}, kCenter);
+    QTRY_VERIFY(isThere("mainNumber"));
+    QVERIFY(!isThere("area") && !isThere("size"));
+    QCOMPARE(popup->height(), popup->sizeHint().height()); // no room of rows that are gone
 }
 
 /// Not one row as wide as the picture.

@@ -2,6 +2,8 @@
 #include "widgets/viewport/BrushPopup.h"
 
 #include <cmath>
+#include <initializer_list>
+#include <string_view>
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QSignalBlocker>
@@ -68,6 +70,20 @@ float radiusOf(int slider)
         std::pow(static_cast<double>(model::kMaxRadiusPixels / model::kMinRadiusPixels), share)));
 }
 
+/// A rate is one of sprays alone.
+bool hasMainNumber(const BrushSettings& brush, const model::MainNumber& number)
+{
+    return brush.selection == model::BrushSelection::Spray ||
+           std::string_view(number.label) != model::rateOf(brush).label;
+}
+
+void showEach(bool isVisible, std::initializer_list<QWidget*> widgets)
+{
+    for (QWidget* widget : widgets) {
+        widget->setVisible(isVisible);
+    }
+}
+
 } // namespace
 
 BrushPopup::BrushPopup(EditorState& state, QWidget* parent)
@@ -94,6 +110,7 @@ BrushPopup::BrushPopup(EditorState& state, QWidget* parent)
 QWidget* BrushPopup::makeTools()
 {
     auto* box = new QWidget(this);
+    m_toolGrid = box;
     auto* grid = new QGridLayout(box);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(2);
@@ -185,19 +202,24 @@ QWidget* BrushPopup::makeSettings()
     m_settings = new QWidget(this);
     auto* grid = new QGridLayout(m_settings);
     grid->setContentsMargins(0, 0, 0, 0);
+    m_selectionText = new QLabel(tr("Area"), m_settings);
+    m_sizeTitle = new QLabel(tr("Size"), m_settings);
     m_selection = new QComboBox(m_settings);
     for (int kind = 0; kind < static_cast<int>(std::size(model::kSelections)); ++kind) {
         m_selection->addItem(selectionName(static_cast<model::BrushSelection>(kind)));
     }
+    m_selection->setObjectName(QStringLiteral("area"));
     m_size = new QSlider(Qt::Horizontal, m_settings);
+    m_size->setObjectName(QStringLiteral("size"));
     m_size->setRange(0, kSliderSteps);
     m_sizeText = new QLabel(m_settings);
     m_sizeText->setMinimumWidth(fontMetrics().horizontalAdvance(tr("%1 px").arg(1000)));
     m_numberText = new QLabel(m_settings);
     m_number = new NumberBox(m_settings);
-    grid->addWidget(new QLabel(tr("Area"), m_settings), 0, 0);
+    m_number->setObjectName(QStringLiteral("mainNumber"));
+    grid->addWidget(m_selectionText, 0, 0);
     grid->addWidget(m_selection, 0, 1, 1, 2);
-    grid->addWidget(new QLabel(tr("Size"), m_settings), 1, 0);
+    grid->addWidget(m_sizeTitle, 1, 0);
     grid->addWidget(m_size, 1, 1);
     grid->addWidget(m_sizeText, 1, 2);
     grid->addWidget(m_numberText, 2, 0);
@@ -234,20 +256,28 @@ void BrushPopup::refresh()
     const BrushSettings* brush = m_state.activeBrush();
     m_settings->setVisible(brush != nullptr);
     if (brush != nullptr) {
-        m_selection->setCurrentIndex(static_cast<int>(brush->selection));
-        if (radiusOf(m_size->value()) != brush->radiusPixels) {
-            m_size->setValue(sliderOf(brush->radiusPixels));
-        }
-        m_size->setEnabled(brush->hasCircle());
-        m_sizeText->setText(tr("%1 px").arg(qRound(brush->radiusPixels)));
-        const model::MainNumber number = brush->mainNumber();
-        m_numberText->setText(mainNumberName(number));
-        m_number->setDecimals(number.decimals);
-        m_number->setRange(number.low, number.high);
-        m_number->setSingleStep(number.step);
-        m_number->setValue(number.value);
+        refreshSettings(*brush);
     }
     m_isRefreshing = false;
+}
+
+/// Those that it has, as in its panel.
+void BrushPopup::refreshSettings(const BrushSettings& brush)
+{
+    m_selection->setCurrentIndex(static_cast<int>(brush.selection));
+    showEach(!brush.addsPlaces(), {m_selectionText, m_selection});
+    if (radiusOf(m_size->value()) != brush.radiusPixels) {
+        m_size->setValue(sliderOf(brush.radiusPixels));
+    }
+    m_sizeText->setText(tr("%1 px").arg(qRound(brush.radiusPixels)));
+    showEach(brush.hasCircle(), {m_sizeTitle, m_size, m_sizeText});
+    const model::MainNumber number = brush.mainNumber();
+    m_numberText->setText(mainNumberName(number));
+    m_number->setDecimals(number.decimals);
+    m_number->setRange(number.low, number.high);
+    m_number->setSingleStep(number.step);
+    m_number->setValue(number.value);
+    showEach(hasMainNumber(brush, number), {m_numberText, m_number});
 }
 
 void BrushPopup::popUp(const QPoint& globalPosition)
@@ -258,9 +288,13 @@ void BrushPopup::popUp(const QPoint& globalPosition)
     fillPresets();
     fillColours();
     refresh();
+    m_settings->layout()->activate(); // of the rows that are there now
     adjustSize();
+    layout()->activate();
+    m_toolGrid->layout()->setGeometry(m_toolGrid->rect());
+    const QWidget* inHand = m_tools->button(static_cast<int>(m_state.tool()));
     QRect place({}, size());
-    place.moveCenter(globalPosition + QPoint(0, height() / 2 - 24));
+    place.moveTopLeft(globalPosition - inHand->mapTo(this, inHand->rect().center()));
     const QRect area = parentWidget()->screen()->availableGeometry();
     place.moveLeft(
         std::clamp(place.left(), area.left(), std::max(area.left(), area.right() - place.width())));

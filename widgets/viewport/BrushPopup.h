@@ -25,7 +25,8 @@ class BrushPopup : public QFrame
 public:
     explicit BrushPopup(EditorState& state, QWidget* parent);
 
-    /// With its middle under the pointer, kept on the screen.
+    /// With the tool in hand under the pointer, so that nothing changes by a second click; kept on
+    /// the screen.
     void popUp(const QPoint& globalPosition);
 
 private:
@@ -35,15 +36,19 @@ private:
     void paintWith(const QColor& color);
     QWidget* makeSettings();
     void refresh();
+    void refreshSettings(const model::BrushSettings& brush);
     void change(const std::function<model::BrushSettings(const model::BrushSettings&)>& how);
 
     EditorState& m_state;
     // Children of this widget.
+    QWidget* m_toolGrid = nullptr;
     QButtonGroup* m_tools = nullptr;
     QWidget* m_presets = nullptr; ///< those of late; hidden while there are none
     QWidget* m_colours = nullptr; ///< of the colour brush
     QWidget* m_settings = nullptr;
+    QLabel* m_selectionText = nullptr;
     QComboBox* m_selection = nullptr;
+    QLabel* m_sizeTitle = nullptr;
     QSlider* m_size = nullptr;
     QLabel* m_sizeText = nullptr;
     QLabel* m_numberText = nullptr;
