@@ -7,6 +7,7 @@
 
 #include <QtCore/QEvent>
 #include <QtCore/QSettings>
+#include <QtGui/QCursor>
 #include <QtGui/QScreen>
 #include <QtWidgets/QToolBar>
 #include <QtWidgets/QToolButton>
@@ -126,6 +127,20 @@ void DockLayout::putBack(const QByteArray& places)
     fitToolBars(); // of new ones
     m_window.restoreState(places, kLayoutVersion);
     m_isUntouched = wasUntouched;
+}
+
+void DockLayout::showToolSettings()
+{
+    QDockWidget* settings = dock(DockId::BrushSettings);
+    const bool isBehind =
+        !settings->isHidden() && m_isSeen[static_cast<std::size_t>(DockId::BrushSettings)] == 0;
+    const auto isUnderPointer = [](const QDockWidget* other) {
+        return !other->visibleRegion().isEmpty() &&
+               other->rect().contains(other->mapFromGlobal(QCursor::pos()));
+    };
+    if (isBehind && std::ranges::none_of(m_window.tabifiedDockWidgets(settings), isUnderPointer)) {
+        settings->raise();
+    }
 }
 
 void DockLayout::arrangeSoon()

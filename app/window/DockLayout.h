@@ -54,6 +54,11 @@ public:
     /// All panels back to where they are in a new installation.
     void reset();
 
+    /// The settings of the tool come in front of the panels that they are behind, unless the
+    /// pointer is in one of those: then the artist chose the tool there, or by its key for what is
+    /// there.
+    void showToolSettings();
+
     /// Hides panels and tool bars, or shows those that were there before.
     void setHidden(bool isHidden);
     [[nodiscard]] bool isHidden() const { return !m_beforeHiding.isEmpty(); }

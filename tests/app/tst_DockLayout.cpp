@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <QtGui/QAction>
+#include <QtGui/QCursor>
 #include <QtTest/QTest>
 #include <QtWidgets/QAbstractButton>
 #include <QtWidgets/QDockWidget>
@@ -9,6 +10,7 @@
 #include "tests/app/PlainScene.h"
 #include "tests/app/SceneWindow.h"
 #include "tests/program/WindowTest.h"
+#include "widgets/viewport/ViewportWidget.h"
 
 using namespace crowd;
 using namespace crowd::testing;
@@ -27,6 +29,7 @@ private Q_SLOTS:
     void oneThatIsPutBackIsInFront();
     void afloatItCoversNoOtherAndCanBeClosed();
     void theMenuTakesPanelsAway();
+    void theSettingsOfTheToolComeInFront();
     void onASmallScreenItsTitleCanBeGrasped();
 
 private:
@@ -89,6 +92,7 @@ void TestDockLayout::afloatItCoversNoOtherAndCanBeClosed()
         QTRY_VERIFY2(room.left() < panel->frameGeometry().left() &&
                          panel->frameGeometry().right() < room.right(),
                      qPrintable(panel->objectName()));
+        QVERIFY2(panel->widget()->x() >= 4, "its edge can be grasped");
         QTRY_VERIFY(button(panel, "qt_dockwidget_closebutton")->isVisible());
         QTest::mouseClick(button(panel, "qt_dockwidget_closebutton"), Qt::LeftButton);
         QTRY_VERIFY(!panel->isVisible());
@@ -107,6 +111,30 @@ void TestDockLayout::theMenuTakesPanelsAway()
     QTRY_VERIFY(!light->isVisible());
     light->toggleViewAction()->trigger();
     QTRY_VERIFY(light->isVisible());
+}
+
+/// Of the panels that they are behind; not while the pointer is in one of those.
+void TestDockLayout::theSettingsOfTheToolComeInFront()
+{
+    QDockWidget* settings = dock(app::DockId::BrushSettings);
+    QDockWidget* looks = dock(app::DockId::Looks);
+    const auto isInFront = [](const QDockWidget* panel) {
+        return !panel->visibleRegion().isEmpty();
+    };
+    const QWidget* view = &m_window->viewport();
+    QCursor::setPos(view->mapToGlobal(view->rect().center()));
+    QTRY_VERIFY(view->rect().contains(view->mapFromGlobal(QCursor::pos())));
+    looks->raise();
+    QTRY_VERIFY(isInFront(looks));
+    m_window->state().setTool(widgets::ToolId::BrushColour);
+    QTRY_VERIFY(isInFront(settings));
+    looks->raise();
+    QTRY_VERIFY(isInFront(looks));
+    QCursor::setPos(looks->mapToGlobal(looks->rect().center()));
+    QTRY_VERIFY(looks->rect().contains(looks->mapFromGlobal(QCursor::pos())));
+    m_window->state().setTool(widgets::ToolId::BrushWalk);
+    QCoreApplication::processEvents();
+    QVERIFY(isInFront(looks));
 }
 
 void TestDockLayout::onASmallScreenItsTitleCanBeGrasped()

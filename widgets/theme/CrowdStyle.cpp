@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kFrameAlpha = 150; ///< of 255
 constexpr int kTabSpace = 12;    ///< beside a tab's text; half of Fusion's
+constexpr int kPanelEdge = 4;    ///< logical pixels, to be grasped
 
 QColor between(const QColor& a, const QColor& b, double t)
 {
@@ -75,8 +76,14 @@ void CrowdStyle::unpolish(QWidget* widget)
 int CrowdStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
                             const QWidget* widget) const
 {
-    return metric == PM_TabBarTabHSpace ? kTabSpace
-                                        : QProxyStyle::pixelMetric(metric, option, widget);
+    switch (metric) {
+    case PM_TabBarTabHSpace:
+        return kTabSpace;
+    case PM_DockWidgetFrameWidth: // of floating ones: they are made larger by it
+        return kPanelEdge;
+    default:
+        return QProxyStyle::pixelMetric(metric, option, widget);
+    }
 }
 
 void CrowdStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
