@@ -330,6 +330,7 @@ void FileController::take(model::Scene scene, const Opening& opening)
         m_autosaver.adopt(opening.file);
     }
     m_state.transport().rewind();
+    m_state.showStatus({}); // what was done to the one before
     if (!opening.documentPath.isEmpty()) {
         addRecentFile(opening.documentPath);
     }

@@ -242,6 +242,7 @@ void MainWindow::connectParts()
     connect(&m_files, &FileController::sceneOpened, new MemoryRelease(m_state.keyframes(), this),
             &MemoryRelease::plan);
     connect(&m_document, &model::SceneDocument::pathChanged, this, &MainWindow::refreshTitle);
+    connect(&m_movies, &MovieController::ended, m_status, &StatusPanel::showUntilBack);
     connect(&m_state, &widgets::EditorState::toolChanged, &m_layout, &DockLayout::showToolSettings);
     connect(&m_document, &model::SceneDocument::modifiedChanged, this, &MainWindow::refreshTitle);
     connect(&m_document, &model::SceneDocument::undoRefused, this, [this](const QString& why) {

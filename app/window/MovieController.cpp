@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include <QtCore/QDir>
 #include <QtCore/QFileInfo>
 #include <QtCore/QStandardPaths>
 #include <QtWidgets/QMessageBox>
@@ -375,7 +376,7 @@ void MovieController::draw(const QString& path, const MovieDialog& chosen)
         },
         [this, path](const model::Result<void>& made) {
             if (made) {
-                m_state.showStatus(tr("Made %1").arg(QFileInfo(path).fileName()));
+                Q_EMIT ended(tr("Made %1").arg(QDir::toNativeSeparators(path)));
                 return;
             }
             QMessageBox::warning(m_window, tr("The movie could not be made"),

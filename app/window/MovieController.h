@@ -26,6 +26,10 @@ public:
     void make(glm::ivec2 view);
     [[nodiscard]] bool isBusy() const { return m_task.isRunning(); }
 
+Q_SIGNALS:
+    /// A movie is there, or its pictures are.
+    void ended(const QString& said);
+
 private:
     void draw(const QString& path, const MovieDialog& chosen);
     /// False: neither those that are missing nor all.

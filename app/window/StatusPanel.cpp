@@ -3,9 +3,11 @@
 
 #include <algorithm>
 
+#include <QtCore/QEvent>
 #include <QtCore/QLocale>
 #include <QtGui/QGuiApplication>
 #include <QtGui/QPainter>
+#include <QtWidgets/QApplication>
 #include <QtWidgets/QStyleOption>
 
 namespace crowd::app {
@@ -100,6 +102,26 @@ void StatusPanel::connectSession(const widgets::SessionControl& session)
                        "moment. Stop and play to go back to any moment again."),
                     kRemarkMs);
     });
+}
+
+void StatusPanel::showUntilBack(const QString& text)
+{
+    m_remark = text;
+    m_untilBack = text;
+    showMessage(text);
+    qApp->installEventFilter(this);
+}
+
+bool StatusPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::KeyPress || event->type() == QEvent::MouseButtonPress) {
+        qApp->removeEventFilter(this);
+        if (currentMessage() == m_untilBack) {
+            showMessage(m_untilBack, kRemarkMs);
+        }
+        m_untilBack.clear();
+    }
+    return QStatusBar::eventFilter(watched, event);
 }
 
 /// A remark for which there is no room ends in an ellipsis; the tool tip has all.

@@ -44,8 +44,12 @@ public:
 
     void setStatistics(const widgets::FrameStatistics& statistics);
     [[nodiscard]] QString remark() const { return m_remark; } ///< the last one
+    /// Of what took long: stays until somebody presses a key or a button in the program again, and
+    /// as long as any remark after that.
+    void showUntilBack(const QString& text);
 
 protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
@@ -63,6 +67,7 @@ private:
     QLabel* m_counts;
     QLabel* m_frame;
     QString m_remark;
+    QString m_untilBack; ///< empty: nothing of the kind is shown
     bool m_saysFinding = false;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <set>
@@ -7,6 +8,7 @@
 #include <QtCore/QSettings>
 #include <QtCore/QStandardPaths>
 #include <QtCore/QTemporaryDir>
+#include <QtCore/QTimer>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
@@ -25,6 +27,7 @@
 #include "app/window/PreferencesDialog.h"
 #include "app/window/RecentFiles.h"
 #include "app/window/ShortcutsPage.h"
+#include "app/window/StatusPanel.h"
 #include "model/document/SceneEdit.h"
 #include "model/project/ProjectFile.h"
 #include "model/states/StateKeeping.h"
@@ -83,6 +86,8 @@ private Q_SLOTS:
     void statusBarCounts();
     void statusBarCountsWhoIsThere();
     void aRemarkGoesWithItsTool();
+    void aRemarkGoesWithItsScene();
+    void whatTookLongIsSaidUntilSomebodyIsBack();
     void controlSpacePlaysOverThePicture();
     void iconsFollowTheTheme();
 };
@@ -577,6 +582,31 @@ void MainWindowTest::aRemarkGoesWithItsTool()
     QCOMPARE(m_window->statusBar()->currentMessage(), QStringLiteral("85 characters created"));
     m_window->state().setTool(widgets::ToolId::BrushWalk);
     QVERIFY(m_window->statusBar()->currentMessage().isEmpty());
+}
+
+void MainWindowTest::aRemarkGoesWithItsScene()
+{
+    openScene(plainScene(1), QStringLiteral("a.crowd"));
+    m_window->state().showStatus(QStringLiteral("Undone: Paint"));
+    openScene(plainScene(2), QStringLiteral("b.crowd"));
+    QVERIFY(!m_window->statusBar()->currentMessage().contains(QStringLiteral("Undone")));
+}
+
+/// Whoever went away meanwhile reads it.
+void MainWindowTest::whatTookLongIsSaidUntilSomebodyIsBack()
+{
+    openScene(plainScene(1), QStringLiteral("a.crowd"));
+    auto* bar = m_window->findChild<app::StatusPanel*>();
+    QVERIFY(bar != nullptr);
+    bar->showUntilBack(QStringLiteral("Made walk.mp4"));
+    const auto willGo = [bar] {
+        const auto timers = bar->findChildren<QTimer*>();
+        return std::ranges::any_of(timers, &QTimer::isActive);
+    };
+    QVERIFY(!willGo());
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_Shift);
+    QCOMPARE(bar->currentMessage(), QStringLiteral("Made walk.mp4")); // to be read
+    QVERIFY(willGo());
 }
 
 void MainWindowTest::controlSpacePlaysOverThePicture()
