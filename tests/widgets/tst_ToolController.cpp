@@ -28,6 +28,7 @@ private Q_SLOTS:
     void aDoubleClickPutsAPlaceIntoAPath();
     void aDoubleClickWhereCirclesTouchDoesToo();
     void aDoubleClickOfThePathBrushDoesToo();
+    void aDoubleClickEndsAPath();
     void aPathOfOnePlaceGoesWhenItEnds();
     void shortStrokesInARowAreUndoneTogether();
     void whyNothingCameIsSaidAtTheCursor();
@@ -220,6 +221,29 @@ void TestToolController::aDoubleClickOfThePathBrushDoesToo()
     hand.release(aside + QPointF(60.0, 0.0));
     QCOMPARE(hand.document.scene().paths.size(), std::size_t{2});
     QCOMPARE(hand.document.scene().paths[1].places.size(), std::size_t{2});
+}
+
+/// As of lines and areas.
+void TestToolController::aDoubleClickEndsAPath()
+{
+    Hand hand;
+    hand.state.setTool(ToolId::BrushPath);
+    const auto clickTwice = [&hand](const QPointF& at) {
+        hand.press(at);
+        hand.release(at);
+        ToolInput second = hand.at(at, Qt::LeftButton);
+        second.isSecond = true;
+        hand.tools.press(second);
+        hand.release(at);
+    };
+    clickTwice(kCenter - QPointF(120.0, 0.0));
+    QVERIFY(hand.state.paths().isPainting()); // one place is no path yet
+    clickTwice(kCenter + QPointF(120.0, 0.0));
+    QVERIFY(!hand.state.paths().isPainting());
+    QCOMPARE(hand.document.scene().paths.size(), std::size_t{1});
+    QCOMPARE(hand.document.scene().paths[0].places.size(), std::size_t{2});
+    hand.press(kCenter + QPointF(0.0, 150.0));
+    QCOMPARE(hand.document.scene().paths.size(), std::size_t{2});
 }
 
 /// By choice; what came after a pause, or by another brush, stays.

@@ -142,6 +142,9 @@ private:
             const bool isLast =
                 path != nullptr && !path->places.empty() && path->places.back() == hit->place;
             if (isLast) {
+                if (input.isSecond && path->places.size() > 1) { // as of lines and areas
+                    endPath(state);
+                }
                 return;
             }
             if (path != nullptr && closesAt(*path, hit->place)) {

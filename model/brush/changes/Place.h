@@ -53,9 +53,10 @@ inline constexpr BrushInfo PathSettings::kInfo{
     .order = 80,
     .section = BrushSection::Way,
     .family = StrokeFamily::Places,
-    .note =
-        QT_TRANSLATE_NOOP("Fields", "Each click adds a place, Enter ends the path; a click on its "
-                                    "first place closes it. The next click begins another one.")};
+    .note = QT_TRANSLATE_NOOP("Fields",
+                              "Each click adds a place; Enter, Escape or a double click ends "
+                              "the path, a click on its first place closes it. The next click "
+                              "begins another one.")};
 
 inline constexpr BrushInfo EnvironmentSettings::kInfo{
     .id = "environment",
