@@ -109,6 +109,7 @@ private Q_SLOTS:
     void whatTheBrushPaintsIsOfTheScene();
     void aLassoAfterALasso();
     void arcsAreOfTheSelectedOrOfAll();
+    void manyArcsAreSeenThrough();
 };
 
 void TestRelationsDock::listsKindsAndCountsThem()
@@ -357,6 +358,30 @@ void TestRelationsDock::arcsAreOfTheSelectedOrOfAll()
     QVERIFY(arcs.lines().back().toPixels == 0.0F); // an arrow's head
     hand.state.selection().set(Ids{hand.ids[4]});
     QCOMPARE(count(), std::size_t{0});
+}
+
+/// They do not hide the people below.
+void TestRelationsDock::manyArcsAreSeenThrough()
+{
+    RelationHand hand;
+    const Ids people = addPeople(hand.document, 16);
+    RelationArcs arcs;
+    const auto alphaAfter = [&](const std::vector<model::Relation>& links) {
+        hand.document.edit(QStringLiteral("Relate"),
+                           [&links](model::SceneEdit& edit) { edit.relate(links); });
+        arcs.make(hand.state, *hand.state.frame());
+        return arcs.lines().front().color.a;
+    };
+    const float alone = alphaAfter({{people[0], people[1], 1.0F, 4}});
+    std::vector<model::Relation> everybody;
+    for (const model::IndividualId from : people) {
+        for (const model::IndividualId to : people) {
+            if (from != to) {
+                everybody.push_back({from, to, 1.0F, 4});
+            }
+        }
+    }
+    QVERIFY(alphaAfter(everybody) < 0.8F * alone);
 }
 
 CROWD_WINDOW_TEST(TestRelationsDock)

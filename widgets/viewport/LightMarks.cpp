@@ -13,11 +13,13 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr float kLampShare = 0.014F; ///< its radius, of the distance from the camera
+constexpr float kLampShare = 0.018F; ///< its radius, of the distance from the camera
 constexpr int kLampSides = 12;
 constexpr int kConeSides = 32;
 constexpr int kConeEdges = 4;
 constexpr float kOthersAlpha = 0.55F;
+constexpr float kRimShare = 1.25F; ///< of the lamp's radius
+constexpr glm::vec3 kRim(0.03F);   ///< on a bright sky the lamp is seen by it
 
 /// Light enough to be seen on anything, in the light's hue.
 glm::vec4 markColor(const model::Light& light, bool isChosen)
@@ -46,12 +48,16 @@ void LightMarks::addLamp(const model::Light& light, const glm::vec4& color,
                            ? glm::distance(camera.position, light.position)
                            : camera.orthographicHeight;
     const float radius = kLampShare * away;
-    const auto at = [&](int side) {
+    const auto at = [&](int side, float share = 1.0F) {
         const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(side) /
                             static_cast<float>(kLampSides);
         return light.position +
-               radius * (std::sin(angle) * camera.right() + std::cos(angle) * camera.up());
+               share * radius * (std::sin(angle) * camera.right() + std::cos(angle) * camera.up());
     };
+    const glm::vec4 rim(kRim, color.a);
+    for (int side = 0; side < kLampSides; ++side) {
+        m_lines.push_back({at(side, kRimShare), at(side + 1, kRimShare), rim, 4.0F, 4.0F});
+    }
     for (int side = 0; side < kLampSides; ++side) {
         m_lines.push_back({at(side), at(side + 1), color, 3.0F, 3.0F});
         m_lines.push_back({at(side), light.position, color, 3.0F, 3.0F});

@@ -25,6 +25,9 @@ constexpr float kWeakPixels = 1.2F;    ///< width of a strength of 0
 constexpr float kStrongPixels = 3.0F;
 constexpr float kHeadPixels = 11.0F; ///< of an arrow
 constexpr float kHeadShare = 0.12F;  ///< of the arc
+constexpr float kAlpha = 0.95F;
+constexpr float kClearArcs = 60.0F; ///< so many are not seen through
+constexpr float kLeastFade = 0.3F;
 
 /// Where a head is, by the template's height; who sits is lower.
 class HeadPlaces
@@ -55,10 +58,17 @@ private:
     std::span<const model::SeatId> m_seats;
 };
 
-glm::vec4 arcColor(const model::PaintColor& color)
+glm::vec4 arcColor(const model::PaintColor& color, float alpha)
 {
     return {static_cast<float>(color[0]) / 255.0F, static_cast<float>(color[1]) / 255.0F,
-            static_cast<float>(color[2]) / 255.0F, 0.95F};
+            static_cast<float>(color[2]) / 255.0F, alpha};
+}
+
+/// The more there are, the more is seen through each: people are not hidden by them.
+float alphaOf(std::size_t arcs)
+{
+    const float fade = std::sqrt(kClearArcs / std::max(kClearArcs, static_cast<float>(arcs)));
+    return kAlpha * std::max(kLeastFade, fade);
 }
 
 } // namespace
@@ -125,7 +135,7 @@ void RelationArcs::draw(const Arc& arc, int segments)
         const float bow = 4.0F * share * (1.0F - share);
         return glm::mix(arc.from, arc.to, share) + glm::vec3(0.0F, rise * bow, 0.0F);
     };
-    const glm::vec4 color = arcColor(arc.kind->color);
+    const glm::vec4 color = arcColor(arc.kind->color, alphaOf(m_arcs.size()));
     const float width = glm::mix(kWeakPixels, kStrongPixels, arc.strength);
     const float end = arc.kind->isMutual ? 1.0F : 1.0F - kHeadShare;
     for (int i = 0; i < segments; ++i) {
