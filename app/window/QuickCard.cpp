@@ -224,8 +224,12 @@ bool QuickCard::layOut(double letters)
             if (!height) {
                 return false;
             }
-            if (std::exchange(isFirst, false)) { // never a heading alone at the end
-                m_placed.push_back({nullptr, section.title, place(heading, heading + *height), 0});
+            const bool goesOn = !isFirst && y + *height > bottom; // in the next column
+            if (std::exchange(isFirst, false) || goesOn) { // never a heading alone at the end
+                const QString before =
+                    goesOn ? QString(QChar(0x2026)) + QLatin1Char(' ') : QString();
+                m_placed.push_back(
+                    {nullptr, before + section.title, place(heading, heading + *height), 0});
             }
             m_placed.push_back({&row, {}, place(*height, *height), keysWidth});
         }
@@ -244,6 +248,17 @@ std::vector<QRectF> QuickCard::rowPlaces() const
     places.reserve(m_placed.size());
     for (const Placed& each : m_placed) {
         places.push_back(each.place);
+    }
+    return places;
+}
+
+std::vector<QRectF> QuickCard::headingPlaces() const
+{
+    std::vector<QRectF> places;
+    for (const Placed& each : m_placed) {
+        if (each.row == nullptr) {
+            places.push_back(each.place);
+        }
     }
     return places;
 }

@@ -66,8 +66,10 @@ public:
 
     /// Height of a line's letters, in the units of the page.
     [[nodiscard]] double letterSize() const { return m_letters; }
-    /// Where the rows are; none is cut, none covers another.
+    /// Where headings and rows are; none is cut, none covers another.
     [[nodiscard]] std::vector<QRectF> rowPlaces() const;
+    /// The headings of these, one above each column too, where a section goes on.
+    [[nodiscard]] std::vector<QRectF> headingPlaces() const;
     void paint(QPainter& painter) const;
 
 private:

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
 #include <QtCore/QFile>
 #include <QtCore/QTemporaryDir>
 #include <QtGui/QImage>
@@ -93,6 +96,14 @@ private Q_SLOTS:
         const std::vector<QRectF> places = card.rowPlaces();
         QVERIFY(places.size() > 60);
         const QRectF page(QPointF(), kA4);
+        const std::vector<QRectF> headings = card.headingPlaces();
+        for (const QRectF& place : places) { // above each column one says what is in it
+            const auto isAbove = [&place](const QRectF& other) {
+                return std::abs(other.left() - place.left()) < 1.0 && other.top() < place.top();
+            };
+            QVERIFY(std::ranges::any_of(places, isAbove) ||
+                    std::ranges::find(headings, place) != headings.end());
+        }
         for (std::size_t i = 0; i < places.size(); ++i) {
             QVERIFY(page.contains(places[i]));
             for (std::size_t k = i + 1; k < places.size(); ++k) {
