@@ -608,10 +608,11 @@ void TestStatesDock::whilePausedItEndsWhatRulesPlay()
     desk.state.transport().setPlaying(false);
     desk.doubleClick(0);
     QTRY_COMPARE(desk.shownClip(0), std::uint16_t{0});
-    QCOMPARE(desk.said, isChangedInScene
-                            ? QStringLiteral("“calm” recalled: 4 characters changed")
-                            : QStringLiteral("“calm” recalled in the run: the scene is like that "
-                                             "already"));
+    QCOMPARE(desk.said,
+             isChangedInScene
+                 ? QStringLiteral("“calm” recalled: 4 characters changed")
+                 : QStringLiteral("“calm” recalled in the run; the scene itself was like "
+                                  "that already"));
     auto* text = desk.dock->findChild<QLabel*>(QStringLiteral("stateDifference"));
     QTRY_COMPARE(text->text(), QStringLiteral("They are like that now."));
 }

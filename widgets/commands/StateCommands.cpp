@@ -63,7 +63,8 @@ void say(EditorState& state, const QString& name, const model::StateRecall& reca
     QStringList said;
     const bool isRunning = state.session().isRunning();
     said << (recall.changed.empty() && isRunning
-                 ? StatesText::tr("“%1” recalled in the run: the scene is like that already")
+                 ? StatesText::tr(
+                       "“%1” recalled in the run; the scene itself was like that already")
                        .arg(name)
              : recall.changed.empty()
                  ? StatesText::tr("“%1”: all of them are like that already").arg(name)
