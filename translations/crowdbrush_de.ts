@@ -2614,10 +2614,6 @@
         <translation>Zahl</translation>
     </message>
     <message>
-        <source>Each click adds a place, Enter ends the path; a click on its first place closes it. The next click begins another one.</source>
-        <translation>Jeder Klick fügt einen Ort hinzu, Eingabe beendet den Weg; ein Klick auf seinen ersten Ort schließt ihn. Der nächste Klick beginnt einen neuen.</translation>
-    </message>
-    <message>
         <source>Stop</source>
         <translation>Anhalten</translation>
     </message>
@@ -3119,7 +3115,7 @@
     </message>
     <message>
         <source>The last begins after</source>
-        <translation>Letzte beginnen nach</translation>
+        <translation>Letzte nach</translation>
     </message>
     <message>
         <source>0: all begin at the same moment</source>
@@ -3839,7 +3835,7 @@
     </message>
     <message>
         <source>call a cue</source>
-        <translation>ein Stichwort geben</translation>
+        <translation>Stichwort geben</translation>
     </message>
     <message>
         <source>What the cue sends, and the state it recalls</source>
@@ -3847,7 +3843,7 @@
     </message>
     <message>
         <source>recall a state</source>
-        <translation>einen Zustand abrufen</translation>
+        <translation>Zustand abrufen</translation>
     </message>
     <message>
         <source>In the run alone: the scene stays as it is</source>
@@ -3855,7 +3851,7 @@
     </message>
     <message>
         <source>send an event</source>
-        <translation>ein Ereignis senden</translation>
+        <translation>Ereignis senden</translation>
     </message>
     <message>
         <source>Rules answer it</source>
@@ -4204,6 +4200,10 @@
     <message>
         <source>Each click adds a corner, a drag draws freely; Enter or a double click ends it, a click on the first corner closes it.</source>
         <translation>Jeder Klick setzt eine Ecke, Ziehen zeichnet frei; Eingabe oder ein Doppelklick beendet sie, ein Klick auf die erste Ecke schließt sie.</translation>
+    </message>
+    <message>
+        <source>Each click adds a place; Enter, Escape or a double click ends the path, a click on its first place closes it. The next click begins another one.</source>
+        <translation>Jeder Klick fügt einen Ort hinzu; Eingabe, Escape oder ein Doppelklick beendet den Weg, ein Klick auf seinen ersten Ort schließt ihn. Der nächste Klick beginnt einen neuen.</translation>
     </message>
 </context>
 <context>
@@ -9211,8 +9211,8 @@
         <translation>Niemand ist ausgewählt, für den „%1“ abgerufen werden könnte.</translation>
     </message>
     <message>
-        <source>“%1” recalled in the run: the scene is like that already</source>
-        <translation>„%1“ im Lauf abgerufen: Die Szene ist schon so</translation>
+        <source>“%1” recalled in the run; the scene itself was like that already</source>
+        <translation>„%1“ im Lauf abgerufen; die Szene selbst war schon so</translation>
     </message>
 </context>
 <context>
@@ -13898,7 +13898,7 @@ Drag over the ground: characters come.</source>
     <message>
         <source>Nobody is here yet.
 Press C and paint characters on the ground.</source>
-        <translation>Noch ist niemand hier.
+        <translation>Hier ist noch niemand.
 C drücken und Figuren auf den Boden malen.</translation>
     </message>
     <message>

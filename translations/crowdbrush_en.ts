@@ -2614,10 +2614,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Each click adds a place, Enter ends the path; a click on its first place closes it. The next click begins another one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Stop</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4203,6 +4199,10 @@
     </message>
     <message>
         <source>Each click adds a corner, a drag draws freely; Enter or a double click ends it, a click on the first corner closes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each click adds a place; Enter, Escape or a double click ends the path, a click on its first place closes it. The next click begins another one.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9211,7 +9211,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” recalled in the run: the scene is like that already</source>
+        <source>“%1” recalled in the run; the scene itself was like that already</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
