@@ -80,8 +80,11 @@ void TestRuleEditing::theListStaysWhereItIs()
     desk.put(someRules(40));
     QTRY_COMPARE(desk.list()->count(), 40);
     desk.list()->setCurrentRow(0);
-    QTRY_VERIFY(desk.list()->verticalScrollBar()->maximum() > 0);
     QScrollBar& bar = *desk.list()->verticalScrollBar();
+    int last = 0; // until the panel has its height
+    int steady = 0;
+    QTRY_VERIFY((steady = bar.maximum() == last ? steady + 1 : 0, last = bar.maximum(),
+                 last > 0 && steady > 3));
     bar.setValue(bar.maximum());
     const int place = bar.value();
     std::vector<model::Rule> rules = desk.rules();
