@@ -34,6 +34,19 @@ public:
     {
         tools.press(at(position, button));
     }
+    void click(QPointF position)
+    {
+        press(position);
+        release(position);
+    }
+    /// The second click of a double click.
+    void clickAgain(QPointF position)
+    {
+        widgets::ToolInput second = at(position, Qt::LeftButton);
+        second.isSecond = true;
+        tools.press(second);
+        release(position);
+    }
     void move(QPointF position) { tools.move(at(position)); }
     void release(QPointF position, Qt::MouseButton button = Qt::LeftButton)
     {

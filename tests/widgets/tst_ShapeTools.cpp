@@ -35,13 +35,7 @@ struct Lawn : Hand
         press(on(x, z));
         release(on(x, z));
     }
-    void clickAgain(float x, float z)
-    {
-        ToolInput second = at(on(x, z), Qt::LeftButton);
-        second.isSecond = true;
-        tools.press(second);
-        release(on(x, z));
-    }
+    void clickAgain(float x, float z) { Hand::clickAgain(on(x, z)); }
     [[nodiscard]] const std::vector<model::Place>& places() const
     {
         return document.scene().places;

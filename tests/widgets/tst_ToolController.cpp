@@ -137,10 +137,7 @@ void TestToolController::aDoubleClickPutsAPlaceIntoAPath()
     hand.release(kCenter);
     QCOMPARE(hand.state.paths().path(), hand.document.scene().paths[0].id);
     QCOMPARE(hand.document.scene().places.size(), std::size_t{2}); // one click alone does not
-    ToolInput second = hand.at(kCenter, Qt::LeftButton);
-    second.isSecond = true;
-    hand.tools.press(second);
-    hand.release(kCenter);
+    hand.clickAgain(kCenter);
     const model::Path& path = hand.document.scene().paths[0];
     QCOMPARE(path.places.size(), std::size_t{3});
     const model::Place& middle = *hand.document.scene().findPlace(path.places[1]);
@@ -149,10 +146,7 @@ void TestToolController::aDoubleClickPutsAPlaceIntoAPath()
     hand.document.undoStack().undo();
     QCOMPARE(hand.document.scene().paths[0].places.size(), std::size_t{2});
     // Beside it there is no path.
-    second = hand.at(kCenter + QPointF(0.0, 150.0), Qt::LeftButton);
-    second.isSecond = true;
-    hand.tools.press(second);
-    hand.release(kCenter + QPointF(0.0, 150.0));
+    hand.clickAgain(kCenter + QPointF(0.0, 150.0));
     QCOMPARE(hand.document.scene().places.size(), std::size_t{2});
 }
 
@@ -176,10 +170,7 @@ void TestToolController::aDoubleClickWhereCirclesTouchDoesToo()
     hand.state.setTool(ToolId::Select);
     hand.press(kCenter);
     hand.release(kCenter);
-    ToolInput second = hand.at(kCenter, Qt::LeftButton);
-    second.isSecond = true;
-    hand.tools.press(second);
-    hand.release(kCenter);
+    hand.clickAgain(kCenter);
     QCOMPARE(hand.document.scene().paths[0].places.size(), std::size_t{3});
 }
 
@@ -203,10 +194,7 @@ void TestToolController::aDoubleClickOfThePathBrushDoesToo()
     QCOMPARE(hand.document.scene().paths.size(), std::size_t{2});
     QCOMPARE(followed(), made); // the other one leads nowhere yet
     const int steps = hand.document.undoStack().count();
-    ToolInput second = hand.at(kCenter, Qt::LeftButton);
-    second.isSecond = true;
-    hand.tools.press(second);
-    hand.release(kCenter);
+    hand.clickAgain(kCenter);
     QCOMPARE(hand.document.scene().paths.size(), std::size_t{1});
     QCOMPARE(hand.document.scene().paths[0].places.size(), std::size_t{3});
     QCOMPARE(hand.document.undoStack().count(), steps); // in place of the path that was begun
@@ -215,10 +203,7 @@ void TestToolController::aDoubleClickOfThePathBrushDoesToo()
     const QPointF aside = kCenter + QPointF(0.0, 150.0);
     hand.press(aside);
     hand.release(aside);
-    second = hand.at(aside + QPointF(60.0, 0.0), Qt::LeftButton);
-    second.isSecond = true;
-    hand.tools.press(second);
-    hand.release(aside + QPointF(60.0, 0.0));
+    hand.clickAgain(aside + QPointF(60.0, 0.0));
     QCOMPARE(hand.document.scene().paths.size(), std::size_t{2});
     QCOMPARE(hand.document.scene().paths[1].places.size(), std::size_t{2});
 }
@@ -229,12 +214,8 @@ void TestToolController::aDoubleClickEndsAPath()
     Hand hand;
     hand.state.setTool(ToolId::BrushPath);
     const auto clickTwice = [&hand](const QPointF& at) {
-        hand.press(at);
-        hand.release(at);
-        ToolInput second = hand.at(at, Qt::LeftButton);
-        second.isSecond = true;
-        hand.tools.press(second);
-        hand.release(at);
+        hand.click(at);
+        hand.clickAgain(at);
     };
     clickTwice(kCenter - QPointF(120.0, 0.0));
     QVERIFY(hand.state.paths().isPainting()); // one place is no path yet
