@@ -16,6 +16,7 @@
 #include <QtWidgets/QProgressDialog>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QSpinBox>
+#include <QtWidgets/QStatusBar>
 
 #include "app/window/PictureSizeFields.h"
 #include "tests/app/SceneWindow.h"
@@ -111,6 +112,8 @@ void TestMakeMovie::ofTheSceneFromItsBeginning()
     QCOMPARE(pictures.size(), std::size_t{15});
     QVERIFY(pictures.front() != pictures.back());
     QVERIFY(!m_window->state().session().isRunning()); // it was another run
+    const QString said = m_window->statusBar()->currentMessage();
+    QVERIFY2(said.contains(QStringLiteral("walk.mp4")), qPrintable(said));
 }
 
 /// An odd size would be cut without a word.
