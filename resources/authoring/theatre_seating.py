@@ -18,6 +18,9 @@ RISE = SEAT_HEIGHT - DIP
 FLOOR = .10
 FOOT_IN_FRONT, SEAT_WIDTH, AISLE = .20, .63, .75
 SEGMENTS = 4
+# How far steps reach into the ranks beside them; what is level with a rank lies so far below it and
+# reaches so far under it: no gap between the two, and never two surfaces in one place.
+OVERLAP, SUNK, UNDER = .01, .01, .10
 
 
 def edge_radius(rank):
@@ -81,18 +84,26 @@ def _seats_of(rank, wedge, start, end):
 
 
 def _add_stairs(surface, rank, angle):
-    """Two steps a rank in the aisle."""
+    """Two steps a rank in the aisle, which widens outwards as the ends of the ranks do. The second is
+    level with the tread behind the seats and begins where that does."""
     sine, cosine = math.sin(angle), math.cos(angle)
-    half = AISLE / 2 + .02
+    spread = math.tan(AISLE / 2 / edge_radius(rank))
     for step in range(2):
-        inner = edge_radius(rank) + step * DEPTH / 2
-        outer = inner + DEPTH / 2
+        inner = edge_radius(rank) + step * SLAB
+        outer = inner + (SLAB, DEPTH - SLAB + UNDER)[step]
         if rank == LOWER_RANKS - 1 and step == 1:
             outer += WALK
-        z = feet_level(rank) + (step + 1) * RISE / 2
-        corners = ((inner, -half, z - RISE / 2), (inner, half, z - RISE / 2), (inner, half, z),
-                   (inner, -half, z), (outer, half, z), (outer, -half, z))
-        ids = surface.points((sine * r + cosine * s, cosine * r - sine * s, h)
-                             for r, s, h in corners)
+        z = feet_level(rank) + (step + 1) * RISE / 2 - step * SUNK
+        foot = z - RISE / 2 - SUNK
+        corners = ((inner, -1, foot), (inner, 1, foot), (inner, 1, z), (inner, -1, z),
+                   (outer, 1, z), (outer, -1, z))
+        aside = (OVERLAP, UNDER)[step]
+        ids = surface.points(_beside(sine, cosine, r, side * (r * spread + aside), h)
+                             for r, side, h in corners)
         surface.face((ids[0], ids[1], ids[2], ids[3]), "stone_dark")
         surface.face((ids[3], ids[2], ids[4], ids[5]), "stone")
+
+
+def _beside(sine, cosine, ahead, aside, height):
+    """A point so far out along an aisle, and so far beside its middle."""
+    return sine * ahead + cosine * aside, cosine * ahead - sine * aside, height
