@@ -97,6 +97,7 @@ private Q_SLOTS:
     void currentPathHasABorder();
     void selectedPlaceHasARing();
     void theWayAroundIsShown();
+    void bothSidesAreShownWherePeopleTakeBoth();
     void areasCoverWhatTheyEnclose();
     void linesAreAsWideAsTheyAre();
     void changesGiveAnotherVersion();
@@ -331,6 +332,36 @@ void TestPathDrawing::theWayAroundIsShown()
     show({west, east, pond}, {pathOver(1, {1, 2}, kOrange)});
     QTRY_VERIFY(m_state->session().surface() != nullptr);
     QVERIFY(farthestAside() < 1.5F);
+}
+
+/// In a wide flow those at its edges are nearer to the other end of what stands in its middle.
+void TestPathDrawing::bothSidesAreShownWherePeopleTakeBoth()
+{
+    model::Place pond = placeAt(3, {0.0F, 0.0F, -40.3F}, 3.0F);
+    pond.role = model::PlaceRole::Obstacle;
+    const auto sides = [this](float radius, const model::Place& between) {
+        show({placeAt(1, {-14.0F, 0.0F, -40.0F}, radius), placeAt(2, {14.0F, 0.0F, -40.0F}, radius),
+              between},
+             {pathOver(1, {1, 2}, kOrange)});
+        [&] { QTRY_VERIFY(m_state->session().surface() != nullptr); }();
+        glm::bvec2 found(false);
+        const glm::vec3 shade = glm::vec3(kOrange[0], kOrange[1], kOrange[2]) / 255.0F * 0.4F;
+        for (const render::OverlayTriangle& area : areas()) {
+            if (glm::distance(glm::vec3(area.color), shade) < 0.01F) {
+                for (const glm::vec3& corner : area.corners) {
+                    found.x = found.x || corner.z < -43.0F;
+                    found.y = found.y || corner.z > -37.5F;
+                }
+            }
+        }
+        return found;
+    };
+    QVERIFY(sides(4.0F, pond).x);
+    QVERIFY(sides(4.0F, pond).y);
+    QVERIFY(!sides(0.3F, pond).x); // all go by the nearer end
+    QVERIFY(sides(0.3F, pond).y);
+    pond.position.z = -60.0F;
+    QVERIFY(!sides(4.0F, pond).x && !sides(4.0F, pond).y);
 }
 
 /// Seen from above, of those of a colour that lets the ground shine through.

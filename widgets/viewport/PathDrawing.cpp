@@ -7,10 +7,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "behavior/surface/WalkSurface.h"
-#include "model/base/Segment.h"
 #include "model/scene/PlaceShape.h"
 #include "widgets/viewport/AreaSlices.h"
+#include "widgets/viewport/WaysAround.h"
 
 namespace crowd::widgets {
 
@@ -29,8 +28,7 @@ constexpr float kSideWidth = 0.06F; ///< metres to either side, of an area's sid
 constexpr float kCornerRadius = 0.18F;
 constexpr float kWayNarrow = 0.04F; ///< metres to either side, of a way around something
 constexpr float kWayWide = 0.1F;
-constexpr float kWayShade = 0.4F;    ///< of the colour
-constexpr float kAsideMetres = 0.5F; ///< what is nearer to the straight line is straight on
+constexpr float kWayShade = 0.4F; ///< of the colour
 constexpr float kShortestPiece = 0.05F;
 
 constexpr float kCell = 1.0F;           ///< metres between samples of the ground
@@ -86,30 +84,6 @@ float cellFor(const model::Scene& scene)
         cell *= 2.0F;
     }
     return cell;
-}
-
-/// The way that people take from place to place; empty where they walk straight on, or nobody
-/// knows.
-std::vector<glm::vec3> wayAround(const behavior::WalkSurface* surface, const model::Place& from,
-                                 const model::Place& to)
-{
-    std::vector<glm::vec3> corners;
-    if (surface != nullptr) {
-        corners = surface->way(from.position, to.position, behavior::Lane());
-    }
-    const auto isAside = [&](const glm::vec3& corner) {
-        const glm::vec3 level(1.0F, 0.0F, 1.0F);
-        const float share =
-            model::nearestShare(corner * level, from.position * level, to.position * level);
-        return flatDistance(corner, glm::mix(from.position, to.position, share)) > kAsideMetres;
-    };
-    if (std::ranges::none_of(corners, isAside)) {
-        return {};
-    }
-    if (flatDistance(corners.front(), from.position) > kShortestPiece) {
-        corners.insert(corners.begin(), from.position);
-    }
-    return corners;
 }
 
 /// From the rim of a place to the rim of another, bent to the right.
@@ -377,15 +351,16 @@ void PathDrawing::path(const EditorState& state, const model::Path& path)
             continue;
         }
         const bool isJump = i + 1 == count && path.kind == model::PathKind::Teleport;
-        const std::vector<glm::vec3> around =
-            isJump ? std::vector<glm::vec3>() : wayAround(surface.get(), *from, *to);
+        const std::vector<WayCorners> around =
+            isJump ? std::vector<WayCorners>() : waysAround(surface.get(), *from, *to);
         if (!isJump) {
             leg(*from, *to, color, isCurrent);
         }
         if (around.empty()) {
             arrows(*from, *to, {color, isJump ? kJumpOpacity : 1.0F});
-        } else {
-            way(around, *from, *to, color);
+        }
+        for (const WayCorners& corners : around) {
+            way(corners, *from, *to, color);
         }
     }
     for (std::size_t i = 0; i < path.branches.size(); ++i) {
