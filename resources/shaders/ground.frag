@@ -14,13 +14,13 @@ out vec4 fragment;
 #endif
 
 #ifdef GRID
-// Coverage of lines `spacing` metres apart, about one pixel wide, gone where they would flicker.
-float lines(vec2 metres, float spacing)
+// Coverage of lines one cell apart, about one pixel wide, gone where they would flicker; a pixel is
+// `width` cells wide, and so many of it make a cell. The ground is often most of a picture: what lines
+// of several distances share is reckoned once.
+float lines(vec2 cell, vec2 width, vec2 perCell)
 {
-    vec2 cell = metres / spacing;
-    vec2 width = fwidth(cell);
-    vec2 gap = abs(fract(cell - 0.5) - 0.5) / max(width, vec2(1e-6));
-    vec2 shown = (1.0 - min(gap, 1.0)) * clamp(1.0 - width * 3.0, 0.0, 1.0);
+    vec2 gap = abs(cell - roundEven(cell)) * perCell;
+    vec2 shown = (1.0 - min(gap, 1.0)) * max(1.0 - 3.0 * width, 0.0);
     return max(shown.x, shown.y);
 }
 #endif
@@ -44,7 +44,10 @@ void main()
 #endif
 #ifdef GRID
     vec2 metres = place + center;
-    result *= 1.0 - 0.16 * lines(metres, 1.0) - 0.22 * lines(metres, 10.0);
+    vec2 width = max(fwidth(place), vec2(1e-6));
+    vec2 perMetre = 1.0 / width;
+    result *= 1.0 - 0.16 * lines(metres, width, perMetre) -
+              0.22 * lines(0.1 * metres, 0.1 * width, 10.0 * perMetre);
 #endif
 #ifdef HAZY
     result = mix(result, hazeColor, hazeAt(vec3(center.x + place.x, 0.0, center.y + place.y)));
