@@ -5,10 +5,10 @@
 using F8 = float __attribute__((vector_size(32)));
 using I8 = std::int32_t __attribute__((vector_size(32)));
 using F4 = float __attribute__((vector_size(16)));
-/// Vectors in memory lie anywhere.
-using I8InMemory = std::int32_t __attribute__((vector_size(32), aligned(4), may_alias));
-using F8InMemory = float __attribute__((vector_size(32), aligned(4), may_alias));
-using F4InMemory = float __attribute__((vector_size(16), aligned(4), may_alias));
+/// Vectors in memory lie anywhere. Said of the name: clang leaves out what is said of the type.
+using I8InMemory __attribute__((vector_size(32), aligned(4), may_alias)) = std::int32_t;
+using F8InMemory __attribute__((vector_size(32), aligned(4), may_alias)) = float;
+using F4InMemory __attribute__((vector_size(16), aligned(4), may_alias)) = float;
 
 #define CROWD_INLINE [[gnu::always_inline]] inline
 
