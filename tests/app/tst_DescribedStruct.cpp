@@ -367,8 +367,8 @@ assert lantern.pole.height == 5.0
         const app::py::object lantern = app::py::cast(Lantern());
         app::py::dict names;
         names["lantern"] = lantern;
-        QVERIFY_EXCEPTION_THROWN(app::py::exec(assignment.toStdString(), names),
-                                 app::py::error_already_set);
+        QVERIFY_THROWS_EXCEPTION(app::py::error_already_set,
+                                 app::py::exec(assignment.toStdString(), names));
         QVERIFY(lantern.cast<const Lantern&>() == Lantern());
     }
 

@@ -261,10 +261,10 @@ public:
         m_editor.drag(at(0.4, 0.4), at(0.7, 0.6));
     }
     /// As brushes do whose group was removed since.
-    void nameWhatIsGone(int group)
+    void nameWhatIsGone(std::uint32_t group)
     {
         auto colour = brush(model::BrushKind::Colour, model::BrushSelection::Rectangle);
-        colour.mask.groups = {0, group};
+        colour.mask.groups = {0, static_cast<int>(group)};
         m_editor.state().setBrush(colour);
         m_editor.drag(at(0.2, 0.2), at(0.8, 0.8));
         auto into = brush(model::BrushKind::Group, model::BrushSelection::Rectangle);

@@ -684,7 +684,7 @@ void tst_BrushCreate::whoIsDraggedOntoAnotherChangesPlaces()
     BrushScene scene({stageOf({}, seatRows(2, 8))});
     const View view = fromAbove();
     const std::vector<WorldSeat> seats = scene.document.scene().worldSeats();
-    for (const std::size_t seat : {2, 5}) {
+    for (const std::size_t seat : {std::size_t{2}, std::size_t{5}}) {
         scene.paint(view, creator(BrushSelection::Point),
                     {pixelOf(view, seats[seat].seat.position)});
     }

@@ -235,7 +235,7 @@ void tst_GltfMaterials::knowsWhatIsSmooth()
     GltfBuilder builder = GltfBuilder::triangle();
     primitive(builder)["material"] = 0;
     const auto choiceOf = [&](const Json& material) {
-        builder.root["materials"] = {material};
+        builder.root["materials"] = Json::array({material});
         return m_folder.load(builder)->slots[0].choices[0];
     };
     const auto is = [](const MaterialChoice& choice, float roughness, float metallic) {
@@ -251,7 +251,7 @@ void tst_GltfMaterials::knowsWhatIsSmooth()
     QVERIFY(is(choiceOf({{"extensions", glossy}}), 0.3F, 0.0F));
     const Json odd = {{"roughnessFactor", -3}, {"metallicFactor", 1e30}};
     const TemplatePtr asset = [&] {
-        builder.root["materials"] = {{{"pbrMetallicRoughness", odd}}};
+        builder.root["materials"] = Json::array({Json::object({{"pbrMetallicRoughness", odd}})});
         return m_folder.load(builder);
     }();
     QVERIFY(asset == nullptr || is(asset->slots[0].choices[0], 0.0F, 1.0F));

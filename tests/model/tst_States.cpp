@@ -213,9 +213,9 @@ void tst_States::clipsSlotsAndPartsGoByName()
     const State calm = scene.keep("calm");
     // The files changed: clips and slots in another order, parts too.
     TemplateEntry entry = *scene.document.scene().findTemplate(1);
-    std::ranges::rotate(entry.clipNames, entry.clipNames.begin() + 1);
+    std::rotate(entry.clipNames.begin(), entry.clipNames.begin() + 1, entry.clipNames.end());
     auto asset = std::make_shared<Template>(*entry.asset);
-    std::ranges::rotate(asset->slots, asset->slots.begin() + 1);
+    std::rotate(asset->slots.begin(), asset->slots.begin() + 1, asset->slots.end());
     std::ranges::reverse(asset->parts);
     entry.asset = asset;
     scene.change(entry);
@@ -243,7 +243,7 @@ void tst_States::slotsOfMissingFilesAreWhatTheyWere()
     const Tint tint = scene.valueOf(columns::tint(1), 2);
     const std::uint32_t parts = scene.valueOf(columns::parts, 2);
     const State calm = scene.keep("calm");
-    std::ranges::rotate(entry.clipNames, entry.clipNames.begin() + 1);
+    std::rotate(entry.clipNames.begin(), entry.clipNames.begin() + 1, entry.clipNames.end());
     scene.change(entry);
     scene.stir();
     (void)scene.recall(calm);

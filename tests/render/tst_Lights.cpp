@@ -583,7 +583,9 @@ void TestLights::aCameraInsideSomebodySeesOut()
     std::set<std::uint32_t> colours;
     for (std::size_t i = 0; i < m_pixels.size(); i += 4) {
         QCOMPARE(m_pixels[i + 3], std::uint8_t{255});
-        colours.insert(m_pixels[i] << 16U | m_pixels[i + 1] << 8U | m_pixels[i + 2]);
+        const std::uint32_t red = m_pixels[i];
+        const std::uint32_t green = m_pixels[i + 1];
+        colours.insert(red << 16U | green << 8U | m_pixels[i + 2]);
     }
     QVERIFY2(colours.size() > 2, QByteArray::number(static_cast<int>(colours.size())));
 }

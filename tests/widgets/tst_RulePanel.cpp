@@ -116,7 +116,7 @@ void TestRulePanel::whatIsAddedIsInSight()
     desk.window.resizeDocks({desk.dock}, {size.width()}, Qt::Horizontal);
     giveRule(desk, ruleOf(std::vector<model::Action>(14, actions::Wait{1.0F})));
     auto* list = desk.dock->findChild<QListWidget*>();
-    const auto isInSight = [&desk](const QWidget* widget) {
+    const auto isInSight = [](const QWidget* widget) {
         return widget != nullptr && widget->visibleRegion().boundingRect() == widget->rect();
     };
     QTRY_VERIFY(shown<QToolButton>(desk, "addCondition") != nullptr);
