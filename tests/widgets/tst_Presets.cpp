@@ -2,6 +2,7 @@
 #include <QtCore/QDir>
 #include <QtCore/QFile>
 #include <QtCore/QFileInfo>
+#include <QtCore/QRegularExpression>
 #include <QtCore/QStandardPaths>
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
@@ -202,6 +203,7 @@ void PresetsTest::whatOthersWriteIsShown()
 
 void PresetsTest::thePanelKeepsFindsAndSets()
 {
+    QTest::failOnWarning(QRegularExpression(QStringLiteral("closeEditor")));
     Desk<PresetsDock> desk;
     QVERIFY(desk.isReady());
     for (const BrushPreset& old : std::vector(desk.dock->presets().all())) {
@@ -218,8 +220,8 @@ void PresetsTest::thePanelKeepsFindsAndSets()
     auto* editor = list.findChild<QLineEdit*>();
     QVERIFY2(editor != nullptr, "the new name can be typed at once");
     testing::type(*editor, QStringLiteral("Giants #tall"));
-    QTRY_COMPARE(list.item(0)->text(), QStringLiteral("Giants #tall"));
-    QCOMPARE(desk.dock->presets().all()[0].name, QStringLiteral("Giants #tall"));
+    QTRY_COMPARE(desk.dock->presets().all()[0].name, QStringLiteral("Giants #tall"));
+    QCOMPARE(list.item(0)->text(), QStringLiteral("Giants #tall"));
     auto* search = desk.dock->findChild<QLineEdit*>();
     QTest::keyClicks(search, QStringLiteral("#TALL gi"));
     QVERIFY(!list.item(0)->isHidden());

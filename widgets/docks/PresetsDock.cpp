@@ -89,14 +89,25 @@ void PresetsDock::connectParts()
             [this](const QListWidgetItem* item) { use(item->data(kIdRole).toString()); });
     connect(m_list, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
         if (!m_isFilling) {
-            const auto result = m_presets.rename(item->data(kIdRole).toString(), item->text());
-            say(result);
-            if (!result) {
-                QMetaObject::invokeMethod(this, &PresetsDock::fill, Qt::QueuedConnection);
-            }
+            // Once the field for the name is closed: the list that it belongs to is filled anew.
+            QMetaObject::invokeMethod(
+                this,
+                [this, former = item->data(kIdRole).toString(), name = item->text()] {
+                    rename(former, name);
+                },
+                Qt::QueuedConnection);
         }
     });
     connect(m_list, &QListWidget::customContextMenuRequested, this, &PresetsDock::showMenu);
+}
+
+void PresetsDock::rename(const QString& former, const QString& name)
+{
+    const auto result = m_presets.rename(former, name);
+    say(result);
+    if (!result) {
+        fill();
+    }
 }
 
 void PresetsDock::fill()

@@ -27,6 +27,7 @@ public:
 private:
     [[nodiscard]] QWidget* buttons();
     void connectParts();
+    void rename(const QString& former, const QString& name);
     void fill();
     void filter();
     void use(const QString& name);
