@@ -10,6 +10,7 @@
 #include <QtGui/QKeyEvent>
 #include <QtGui/QShortcut>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QDialog>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QMessageBox>
@@ -95,6 +96,10 @@ MainWindow::MainWindow()
 
 MainWindow::~MainWindow()
 {
+    // While they are whole: hidden, a field that somebody types into tells its dialog so.
+    for (QDialog* dialog : findChildren<QDialog*>()) {
+        dialog->hide();
+    }
     // Docks and viewport look at document and state: they go first.
     m_layout.forget();
     delete takeCentralWidget();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <QtCore/QPointer>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QComboBox>
@@ -19,10 +20,17 @@ using namespace crowd::testing;
 
 namespace {
 
-/// As by hand: a click into it, all of it replaced, on to the next field.
+/// As by hand: a click into it, all of it replaced, on to the next field. A busy window manager may
+/// yet have given the keys to the window before.
 void type(QDoubleSpinBox& box, const QString& text)
 {
-    QTest::mouseClick(&box, Qt::LeftButton);
+    QVERIFY(QTest::qWaitFor(
+        [&box] {
+            box.window()->activateWindow();
+            QTest::mouseClick(&box, Qt::LeftButton);
+            return box.hasFocus();
+        },
+        kPatienceMs));
     QTest::keyClick(&box, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(&box, text);
     QTest::keyClick(&box, Qt::Key_Tab);
@@ -41,6 +49,7 @@ private Q_SLOTS:
     void cleanup() { m_window.reset(); }
     void theImportTakesWhatIsTyped();
     void aCancelledImportLeavesNothing();
+    void anImportGoesWithItsWindow();
     void theLibraryAddsWhomOneClicks();
     void clipsOfATemplateAreChanged();
     void theViewGoesToANewStage();
@@ -80,12 +89,12 @@ void AssetDialogsTest::theImportTakesWhatIsTyped()
     QVERIFY(dialog != nullptr);
     auto* scale = dialog->findChild<QDoubleSpinBox*>(QStringLiteral("importScale"));
     auto* height = dialog->findChild<QDoubleSpinBox*>(QStringLiteral("importHeight"));
-    QTRY_VERIFY(dialog->isSettled());
+    QTRY_VERIFY_WITH_TIMEOUT(dialog->isSettled(), kPatienceMs);
     const double tall = height->value();
     type(*scale, QLocale().toString(2.0));
-    QTRY_VERIFY(dialog->isSettled() && height->value() > tall * 1.9);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog->isSettled() && height->value() > tall * 1.9, kPatienceMs);
     type(*height, QLocale().toString(1.75));
-    QTRY_VERIFY(dialog->isSettled());
+    QTRY_VERIFY_WITH_TIMEOUT(dialog->isSettled(), kPatienceMs);
     const float wanted = dialog->settings().scale;
     QVERIFY(wanted < 2.0F && wanted > 0.5F);
     auto* take = dialog->findChild<QPushButton*>(QStringLiteral("import"));
@@ -110,6 +119,22 @@ void AssetDialogsTest::aCancelledImportLeavesNothing()
     QTRY_VERIFY(!m_window->assets().isBusy());
     QCOMPARE(templates(), before);
     QCOMPARE(document().undoStack().count(), steps);
+}
+
+/// While somebody types into it.
+void AssetDialogsTest::anImportGoesWithItsWindow()
+{
+    openScene(plainScene(1), QStringLiteral("a.crowd"));
+    import();
+    auto* dialog = opened<widgets::ImportDialog>();
+    QVERIFY(dialog != nullptr);
+    auto* height = dialog->findChild<QDoubleSpinBox*>(QStringLiteral("importHeight"));
+    QTest::mouseClick(height, Qt::LeftButton);
+    QTest::keyClick(height, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(height, QLocale().toString(1.25));
+    const QPointer<QDialog> watched = dialog;
+    m_window.reset();
+    QVERIFY(watched.isNull());
 }
 
 void AssetDialogsTest::theLibraryAddsWhomOneClicks()
