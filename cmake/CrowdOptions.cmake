@@ -24,10 +24,12 @@ add_library(crowd_options INTERFACE)
 target_compile_options(crowd_options INTERFACE
     -Wall -Wextra -Wconversion -Wshadow -Werror
     # In a unity build every .cpp is a header to the compiler, also those with types of their own.
-    $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-subobject-linkage>
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage>
     # Many files at once are much to keep: the compiler looks for what it no longer needs a tenth of
     # its time, unless it may have 1 GB first.
-    $<$<BOOL:${CMAKE_UNITY_BUILD}>:--param=ggc-min-heapsize=1048576>
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:--param=ggc-min-heapsize=1048576>
+    # The compiler cache looks at what headers say, not at when they were written.
+    "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>"
     # The same bits on every machine of a type: no fused multiply-add behind our back.
     -ffp-contract=off)
 target_compile_definitions(crowd_options INTERFACE
@@ -38,7 +40,8 @@ target_include_directories(crowd_options INTERFACE "${CMAKE_SOURCE_DIR}")
 if(CROWD_SANITIZER)
     # What a sanitizer adds hides from gcc that a value is set on every way (an empty std::optional
     # that is returned): such a warning is the unsanitized presets' to give.
-    target_compile_options(crowd_options INTERFACE -Wno-maybe-uninitialized)
+    target_compile_options(crowd_options INTERFACE
+        $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
 if(CROWD_SANITIZER STREQUAL "address")

@@ -29,6 +29,7 @@ function(crowd_add_room)
         else()
             target_precompile_headers(crowd_${ROOM_NAME} PRIVATE ${ROOM_PCH})
         endif()
-        target_compile_options(crowd_${ROOM_NAME} PRIVATE -fpch-preprocess)
+        target_compile_options(crowd_${ROOM_NAME} PRIVATE
+            $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
     endif()
 endfunction()

@@ -37,7 +37,7 @@ void limit(__rlimit_resource resource, rlim_t most)
 
 void limitMyself()
 {
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they reserve terabytes
+#ifndef CROWD_SANITIZED // a sanitizer reserves terabytes
     limit(RLIMIT_AS, kMemoryBytes);
 #endif
     limit(RLIMIT_CPU, kSeconds);
