@@ -157,15 +157,18 @@ std::vector<std::uint32_t> drawStrip(const PixelRect& rect, const ShownPeople& p
     return seenInStrip(strip, rows, area, raster, stage);
 }
 
+/// The pixel that a place on the screen lies in; of what is no number, far out.
+int whole(double place)
+{
+    constexpr double kFar = 1.0e6;
+    return static_cast<int>(std::floor(place > -kFar ? std::min(place, kFar) : -kFar));
+}
+
 } // namespace
 
 AreaPixels::AreaPixels(const ScreenArea& area, const View& view)
-    : m_area(area), m_middle(static_cast<int>(std::floor(area.center().x)),
-                             static_cast<int>(std::floor(area.center().y)))
+    : m_area(area), m_middle(whole(area.center().x), whole(area.center().y))
 {
-    const auto whole = [](double value) {
-        return static_cast<int>(std::floor(std::clamp(value, -1.0e6, 1.0e6)));
-    };
     const PixelRect screen{0, 0, static_cast<int>(std::ceil(view.size().x)),
                            static_cast<int>(std::ceil(view.size().y))};
     m_rect = PixelRect{whole(area.low().x), whole(area.low().y), whole(area.high().x) + 1,
