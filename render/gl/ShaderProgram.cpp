@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
+#include <set>
 #include <sstream>
 
 #include <epoxy/gl.h>
@@ -69,6 +71,31 @@ std::string logOf(GLuint object, bool isProgram)
     return text.data();
 }
 
+/// The lines that a driver's words speak of, as "0:12(3)" (Mesa) or "0(12)" (others), with their
+/// numbers; none where it speaks of none.
+std::string linesOf(const std::string& log, const std::string& text)
+{
+    static const std::regex place(R"(\b\d+[:(](\d+)\b)");
+    std::set<int> wanted;
+    for (std::sregex_iterator found(log.begin(), log.end(), place), end; found != end; ++found) {
+        if (const std::string number = found->str(1); number.size() < 7) {
+            wanted.insert(std::stoi(number));
+        }
+    }
+    constexpr std::size_t kMost = 3; // what follows mostly comes of the first
+    std::string quoted;
+    std::istringstream lines(text);
+    int number = 0;
+    std::size_t count = 0;
+    for (std::string line; count < kMost && std::getline(lines, line);) {
+        if (wanted.contains(++number)) {
+            quoted += std::to_string(number) + ": " + line + "\n";
+            ++count;
+        }
+    }
+    return quoted;
+}
+
 /// Compiles and attaches; the shader lives on with the program only.
 model::Result<void> attach(GLuint program, GLenum stage, const std::string& file,
                            std::string_view defines)
@@ -81,7 +108,8 @@ model::Result<void> attach(GLuint program, GLenum stage, const std::string& file
     GLint isCompiled = GL_FALSE;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &isCompiled);
     glAttachShader(program, shader);
-    const std::string log = isCompiled == GL_TRUE ? std::string() : logOf(shader, false);
+    std::string log = isCompiled == GL_TRUE ? std::string() : logOf(shader, false);
+    log += linesOf(log, text);
     glDeleteShader(shader);
     if (isCompiled != GL_TRUE) {
         return model::Error{
