@@ -179,6 +179,8 @@ struct RenderStatistics
     int uploadedPlacements = 0;       ///< rows whose static records were sent: where they stand
     int uploadedAppearances = 0;      ///< ... and how they look
     std::int64_t uploadedBytes = 0;   ///< of static records
+    std::int64_t cardBytes = 0;       ///< on the graphics card, of all pictures of the program
+    int reduction = 0;                ///< steps coarser than wished, for want of such memory
     bool areKeyframesMissing = false; ///< somebody's clip, or the one he comes from, is not ready
     double recordsMs = 0.0;           ///< CPU: static records of changed rows
     double planMs = 0.0;              ///< CPU: phase, cull, level, sort

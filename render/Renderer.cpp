@@ -12,6 +12,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "render/gl/Blending.h"
+#include "render/gl/CardMemory.h"
 #include "render/gl/SoftwareTuning.h"
 #include "render/passes/Passes.h"
 
@@ -114,9 +115,18 @@ struct Renderer::Private
 {
     std::unique_ptr<Passes> passes;
     bool isSoftware = false;
+    bool isFullAgain = false; ///< there may be room again for what was reduced
     RenderStatistics statistics;
 
+    /// Everything anew, and sent again with the next picture.
+    [[nodiscard]] model::Result<void> begin(int reduction);
+    /// Draws; what the card has no room for is sent and drawn once more, coarser.
+    template<class Draw>
+    [[nodiscard]] auto fitting(const Draw& draw) -> decltype(draw());
     [[nodiscard]] model::Result<void> draw(const RenderInput& input, const std::uint32_t* target);
+    [[nodiscard]] model::Result<void> drawOnce(const RenderInput& input,
+                                               const std::uint32_t* target);
+    [[nodiscard]] model::Result<AovPicture> drawAovs(const RenderInput& input);
     [[nodiscard]] PassContext contextOf(const RenderInput& input, Style style);
 };
 
@@ -143,12 +153,44 @@ model::Result<void> Renderer::initialize()
     if (m_private->isSoftware) {
         tuneForSoftwareRendering();
     }
-    auto passes = std::make_unique<Passes>();
-    if (auto ready = passes->initialize(); !ready) {
+    return m_private->begin(0);
+}
+
+model::Result<void> Renderer::Private::begin(int reduction)
+{
+    passes.reset(); // the new ones may need its room
+    auto begun = std::make_unique<Passes>(reduction);
+    if (auto ready = begun->initialize(); !ready) {
         return ready;
     }
-    m_private->passes = std::move(passes);
+    passes = std::move(begun);
     return {};
+}
+
+template<class Draw>
+auto Renderer::Private::fitting(const Draw& draw) -> decltype(draw())
+{
+    const bool isReduced = passes && passes->reduction > 0;
+    if (!passes || (std::exchange(isFullAgain, false) && isReduced)) {
+        if (auto begun = begin(0); !begun) {
+            return begun.error();
+        }
+    }
+    for (;;) {
+        auto drawn = draw();
+        if (!card_memory::wasShort()) {
+            return drawn;
+        }
+        if (passes->reduction == kMostReduction) {
+            return model::Error{QT_TRANSLATE_NOOP(
+                "Messages", "The memory of the graphics card does not suffice for this picture, "
+                            "however coarse. Choose a smaller picture, remove templates from the "
+                            "scene, or close other programs.")};
+        }
+        if (auto begun = begin(passes->reduction + 1); !begun) {
+            return begun.error();
+        }
+    }
 }
 
 bool Renderer::isInitialized() const
@@ -169,6 +211,7 @@ void Renderer::abandon()
 
 void Renderer::releaseUnused()
 {
+    m_private->isFullAgain = true;
     if (m_private->passes) {
         m_private->passes->crowd.releaseUnused();
         m_private->passes->stage.releaseUnused();
@@ -178,18 +221,26 @@ void Renderer::releaseUnused()
 PassContext Renderer::Private::contextOf(const RenderInput& input, Style style)
 {
     statistics = {};
+    statistics.reduction = passes->reduction;
     const glm::ivec2 size =
         input.pixelSize.x > 0 ? input.pixelSize : glm::ivec2(input.view.size() + 0.5F);
-    return {input,     shiftedViewProjection(input, size), std::move(style), size, isSoftware,
+    return {input,
+            shiftedViewProjection(input, size),
+            std::move(style),
+            size,
+            passes->reduction,
+            isSoftware,
             statistics};
 }
 
-model::Result<void> Renderer::Private::draw(const RenderInput& input, const std::uint32_t* target)
+model::Result<void> Renderer::Private::drawOnce(const RenderInput& input,
+                                                const std::uint32_t* target)
 {
     const auto start = std::chrono::steady_clock::now();
     const PassContext context = contextOf(input, Style::of(input));
     const PixelKind kind = input.isDeep ? PixelKind::Halves : PixelKind::Bytes;
-    if (auto begun = passes->target.begin(context.pixelSize, input.samples, kind); !begun) {
+    const int samples = passes->reduction > 0 ? 0 : input.samples;
+    if (auto begun = passes->target.begin(context.pixelSize, samples, kind); !begun) {
         return begun;
     }
     beginState(input.isTransparent);
@@ -204,6 +255,13 @@ model::Result<void> Renderer::Private::draw(const RenderInput& input, const std:
     return drawn;
 }
 
+model::Result<void> Renderer::Private::draw(const RenderInput& input, const std::uint32_t* target)
+{
+    auto drawn = fitting([&] { return drawOnce(input, target); });
+    statistics.cardBytes = card_memory::bytes();
+    return drawn;
+}
+
 model::Result<void> Renderer::draw(const RenderInput& input, std::uint32_t framebuffer)
 {
     return m_private->draw(input, &framebuffer);
@@ -214,14 +272,19 @@ model::Result<void> Renderer::draw(const RenderInput& input)
     return m_private->draw(input, nullptr);
 }
 
-model::Result<AovPicture> Renderer::drawAovs(const RenderInput& input)
+model::Result<AovPicture> Renderer::Private::drawAovs(const RenderInput& input)
 {
-    const PassContext context = m_private->contextOf(input, Style::ofAovs(input));
+    const PassContext context = contextOf(input, Style::ofAovs(input));
     beginState(false);
     glDisable(GL_FRAMEBUFFER_SRGB);
-    auto drawn = m_private->passes->drawAovs(context);
+    auto drawn = passes->drawAovs(context);
     endState();
     return drawn;
+}
+
+model::Result<AovPicture> Renderer::drawAovs(const RenderInput& input)
+{
+    return m_private->fitting([&] { return m_private->drawAovs(input); });
 }
 
 std::vector<std::uint8_t> Renderer::readPixels() const

@@ -31,9 +31,12 @@ public:
     /// Forgets every GL object without touching GL: the context died before.
     void abandon();
 
-    /// Frees what the last picture did not show; what comes back is sent anew. The context is
-    /// current.
+    /// Frees what the last picture did not show; what comes back is sent anew. What was reduced for
+    /// want of memory is tried in full again. The context is current.
     void releaseUnused();
+
+    /// Where the graphics card has no room for all of it, a picture is drawn coarser
+    /// (RenderStatistics::reduction); an error says when that does not help either.
 
     /// Draws into a framebuffer (0: the window's own) at the origin, in physical pixels, opaque,
     /// sRGB-encoded. Leaves the framebuffer bound and GL state as QOpenGLWidget and QPainter expect

@@ -16,6 +16,8 @@ using namespace model;
 constexpr int kFramesBeforeDropping = 600;
 /// Impostors asked for in a frame: laying each out takes half a millisecond.
 constexpr std::size_t kMostWanted = 8;
+/// Cards save time, and take room that triangles need more where there is little.
+constexpr int kMostWithImpostors = 1;
 
 /// How many rows were written.
 template<class Record>
@@ -50,7 +52,7 @@ TemplateGpu& CrowdGpu::gpuOf(const TemplatePtr& asset)
 {
     std::unique_ptr<TemplateGpu>& gpu = m_gpu[asset.get()];
     if (!gpu) {
-        gpu = std::make_unique<TemplateGpu>(asset);
+        gpu = std::make_unique<TemplateGpu>(asset, m_reduction);
     }
     m_unusedFrames[asset.get()] = 0;
     return *gpu;
@@ -121,7 +123,7 @@ void CrowdGpu::refreshTemplates(const RenderInput& input)
         record.shadowRadius = gpu.shadowRadius();
         plan.height = entry.asset->height;
         plan.levels = gpu.levelCount();
-        plan.hasImpostors = gpu.impostors().arePossible();
+        plan.hasImpostors = gpu.impostors().arePossible() && m_reduction <= kMostWithImpostors;
         plan.isDrawable = true;
     }
 }

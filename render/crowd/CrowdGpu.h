@@ -30,6 +30,8 @@ struct CrowdRows
 class CrowdGpu
 {
 public:
+    /// Reduced as TemplateGpu says.
+    explicit CrowdGpu(int reduction = 0) : m_reduction(reduction) {}
     void initialize();
     /// Of the frame; without one, time passes for what is not used.
     void update(const RenderInput& input);
@@ -69,6 +71,7 @@ private:
     void useFadedClips(const RenderInput& input);
     void useShownClips(const RenderInput& input);
 
+    int m_reduction;
     std::map<const model::Template*, std::unique_ptr<TemplateGpu>> m_gpu;
     std::map<const model::Template*, int> m_unusedFrames;
     std::shared_ptr<const std::vector<model::TemplateEntry>>

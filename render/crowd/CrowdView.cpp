@@ -15,9 +15,7 @@ using namespace model;
 
 void sendInstances(GlBuffer& buffer, std::span<const Instance> instances)
 {
-    glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size_bytes()), instances.data(),
-                 GL_STREAM_DRAW);
+    stream(buffer, std::as_bytes(instances));
 }
 
 void CrowdView::initialize()

@@ -59,7 +59,7 @@ TemplateGpu::Level makeLevel(const Template& asset, const DrawLevel& source)
 
 } // namespace
 
-TemplateGpu::TemplateGpu(TemplatePtr asset)
+TemplateGpu::TemplateGpu(TemplatePtr asset, int reduction)
     : m_asset(std::move(asset)), m_clips(m_asset->clips.size()), m_uploaded(m_asset->clips.size()),
       m_impostors(*m_asset), m_boxes(GL_RGBA32F), m_materials(GL_RGBA32F)
 {
@@ -68,23 +68,26 @@ TemplateGpu::TemplateGpu(TemplatePtr asset)
     }
     const glm::vec3 size = m_asset->bounds.size();
     m_shadowRadius = std::max(0.28F * (size.x + size.z), 0.12F * size.y);
-    makeLevels();
-    makeMaterials();
+    makeLevels(reduction);
+    makeMaterials(reduction);
 }
 
-void TemplateGpu::makeLevels()
+void TemplateGpu::makeLevels(int reduction)
 {
     for (std::size_t i = 0; i < m_asset->levels.size(); ++i) {
         m_keyframes.emplace_back(GL_RGBA16UI);
     }
+    const int first = std::min(reduction, static_cast<int>(m_asset->levels.size()) - 1);
     for (const DrawLevel& level : drawLevels(*m_asset)) {
-        m_levels.push_back(makeLevel(*m_asset, level));
+        const bool isLeftOut = level.vertexLevel < first;
+        m_levels.push_back(isLeftOut ? Level() : makeLevel(*m_asset, level));
+        m_finest += isLeftOut ? 1 : 0;
     }
 }
 
-void TemplateGpu::makeMaterials()
+void TemplateGpu::makeMaterials(int reduction)
 {
-    const TemplateImages images = templateImages(*m_asset);
+    const TemplateImages images = templateImages(*m_asset, reduction);
     m_choicesPerSlot = images.choicesPerSlot;
     for (std::size_t slot = 0; slot < m_asset->slots.size() && slot < kMaxTintSlots; ++slot) {
         m_tintableSlots |= m_asset->slots[slot].tintable ? 1U << slot : 0U;
@@ -126,6 +129,12 @@ void TemplateGpu::takeImpostors(KeyframeStore& store)
     m_impostors.take(store, m_asset, complete, m_clips);
 }
 
+/// Whether anything is drawn of the vertices of that level of the asset.
+bool TemplateGpu::isSent(std::size_t vertexLevel) const
+{
+    return static_cast<int>(vertexLevel) >= level(0).vertexLevel;
+}
+
 /// A clip that replaces its first keyframe goes behind it; the few bytes before are not reused.
 void TemplateGpu::append(int clipIndex, const KeyframeStore::Entry& entry)
 {
@@ -136,12 +145,16 @@ void TemplateGpu::append(int clipIndex, const KeyframeStore::Entry& entry)
     PlanClip& clip = m_clips[static_cast<std::size_t>(clipIndex)];
     for (std::size_t level = 0; level < baked.levels.size(); ++level) {
         const std::size_t vertices = baked.levels[level].size() / count;
-        if ((m_keyframeCount + count) * vertices > static_cast<std::size_t>(most) &&
+        if (isSent(level) &&
+            (m_keyframeCount + count) * vertices > static_cast<std::size_t>(most) &&
             !clip.bounds.isEmpty()) {
             return; // The card addresses no more: the clip stays at its first keyframe.
         }
     }
     for (std::size_t level = 0; level < baked.levels.size(); ++level) {
+        if (!isSent(level)) {
+            continue;
+        }
         const std::vector<PackedVertex>& packed = baked.levels[level];
         const std::size_t offset = m_keyframeCount * (packed.size() / count) * sizeof(PackedVertex);
         m_keyframes[level].reserve(offset + packed.size() * sizeof(PackedVertex));

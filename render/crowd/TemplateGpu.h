@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -18,7 +19,9 @@ namespace crowd::render {
 class TemplateGpu
 {
 public:
-    explicit TemplateGpu(model::TemplatePtr asset);
+    /// Reduced where the card has little room: without so many of its finest levels, pictures
+    /// halved so many times.
+    explicit TemplateGpu(model::TemplatePtr asset, int reduction = 0);
 
     /// Asks the store for a clip and uploads what is new of it.
     void useClip(model::KeyframeStore& store, int clipIndex);
@@ -46,9 +49,10 @@ public:
         std::uint32_t verticesPerKeyframe = 0;
         bool isBlended = false; ///< some group is
     };
+    /// Or the finest there is.
     [[nodiscard]] const Level& level(int index) const
     {
-        return m_levels[static_cast<std::size_t>(index)];
+        return m_levels[static_cast<std::size_t>(std::max(index, m_finest))];
     }
     /// Binds keyframes (of a level), clip boxes and materials to texture units from `first`.
     void bindTables(int levelIndex, int first) const;
@@ -60,14 +64,16 @@ public:
     [[nodiscard]] std::uint32_t tintableSlots() const { return m_tintableSlots; }
 
 private:
-    void makeLevels();
-    void makeMaterials();
+    void makeLevels(int reduction);
+    void makeMaterials(int reduction);
+    [[nodiscard]] bool isSent(std::size_t vertexLevel) const;
     void append(int clipIndex, const model::KeyframeStore::Entry& entry);
 
     model::TemplatePtr m_asset;
     std::vector<PlanClip> m_clips;
     std::vector<model::BakedClipPtr> m_uploaded; ///< per clip, what its PlanClip refers to
-    std::vector<Level> m_levels;
+    std::vector<Level> m_levels;                 ///< those before the finest are empty
+    int m_finest = 0;
     std::vector<TexelBuffer> m_keyframes; ///< per level of the asset
     ImpostorGpu m_impostors;
     TexelBuffer m_boxes;

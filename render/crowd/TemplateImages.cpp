@@ -338,7 +338,7 @@ std::vector<int> arraysOfSlots(const Template& asset)
     return planArrays(asset).ofSlot;
 }
 
-TemplateImages templateImages(const Template& asset)
+TemplateImages templateImages(const Template& asset, int halvings)
 {
     TemplateImages out;
     const ArrayPlan plan = planArrays(asset);
@@ -347,6 +347,8 @@ TemplateImages templateImages(const Template& asset)
     for (std::size_t i = 0; i < plan.arrays.size(); ++i) {
         out.arrays[i].sampling = plan.arrays[i].sampling;
         chooseSize(asset, plan.arrays[i], out.arrays[i]);
+        out.arrays[i].width = std::max(out.arrays[i].width >> halvings, 1);
+        out.arrays[i].height = std::max(out.arrays[i].height >> halvings, 1);
         layers.emplace_back(asset, out.arrays[i]);
     }
     for (const Slot& slot : asset.slots) {

@@ -57,7 +57,8 @@ inline constexpr std::size_t kMaxLayers = 256;
 /// further ones where an array is full. A slot's first picture decides for all its choices.
 [[nodiscard]] std::vector<int> arraysOfSlots(const model::Template& asset);
 
-[[nodiscard]] TemplateImages templateImages(const model::Template& asset);
+/// Their sides halved so many times.
+[[nodiscard]] TemplateImages templateImages(const model::Template& asset, int halvings = 0);
 
 /// `image` resampled, area-weighted in linear light when it shrinks.
 [[nodiscard]] std::vector<std::uint8_t> resized(const model::Image& image, int width, int height);

@@ -12,11 +12,14 @@ namespace crowd::render {
 
 namespace {
 
-GlRenderbuffer attachStorage(GLenum format, GLenum attachment, glm::ivec2 size)
+GlRenderbuffer attachStorage(GLenum format, std::size_t bytesPerPixel, GLenum attachment,
+                             glm::ivec2 size)
 {
     GlRenderbuffer storage = GlRenderbuffer::create();
     glBindRenderbuffer(GL_RENDERBUFFER, storage.name());
-    glRenderbufferStorage(GL_RENDERBUFFER, format, size.x, size.y);
+    if (storage.take(pixelBytes(size, bytesPerPixel))) {
+        glRenderbufferStorage(GL_RENDERBUFFER, format, size.x, size.y);
+    }
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, storage.name());
     return storage;
 }
@@ -43,12 +46,12 @@ model::Result<void> AovTarget::begin(glm::ivec2 size, bool hasMotion)
     m_hasMotion = hasMotion;
     m_frame = GlFramebuffer::create();
     glBindFramebuffer(GL_FRAMEBUFFER, m_frame.name());
-    m_places = attachStorage(GL_RGBA32F, GL_COLOR_ATTACHMENT0, size);
-    m_normals = attachStorage(GL_RGBA16F, GL_COLOR_ATTACHMENT1, size);
+    m_places = attachStorage(GL_RGBA32F, 16, GL_COLOR_ATTACHMENT0, size);
+    m_normals = attachStorage(GL_RGBA16F, 8, GL_COLOR_ATTACHMENT1, size);
     if (hasMotion) {
-        m_before = attachStorage(GL_RG32F, GL_COLOR_ATTACHMENT2, size);
+        m_before = attachStorage(GL_RG32F, 8, GL_COLOR_ATTACHMENT2, size);
     }
-    m_depth = attachStorage(GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT, size);
+    m_depth = attachStorage(GL_DEPTH24_STENCIL8, 4, GL_DEPTH_STENCIL_ATTACHMENT, size);
     constexpr std::array<GLenum, 3> kDrawn{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1,
                                            GL_COLOR_ATTACHMENT2};
     glDrawBuffers(hasMotion ? 3 : 2, kDrawn.data());

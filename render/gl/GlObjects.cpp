@@ -6,6 +6,8 @@
 
 #include <epoxy/gl.h>
 
+#include "render/gl/CardMemory.h"
+
 namespace crowd::render {
 
 namespace {
@@ -48,6 +50,7 @@ template<GlKind kind>
 void GlObject<kind>::reset()
 {
     const GLuint name = std::exchange(m_name, 0U);
+    card_memory::giveBack(std::exchange(m_bytes, 0U));
     if (name == 0 || lostScopes > 0) {
         return;
     }
@@ -66,6 +69,18 @@ void GlObject<kind>::reset()
     }
 }
 
+template<GlKind kind>
+bool GlObject<kind>::take(std::size_t bytes)
+{
+    if (bytes <= m_bytes) {
+        card_memory::giveBack(m_bytes - bytes);
+    } else if (!card_memory::take(bytes - m_bytes)) {
+        return false;
+    }
+    m_bytes = bytes;
+    return true;
+}
+
 template class GlObject<GlKind::Buffer>;
 template class GlObject<GlKind::Texture>;
 template class GlObject<GlKind::VertexArray>;
@@ -81,7 +96,10 @@ void TexelBuffer::reserve(std::size_t bytes)
     const std::size_t capacity = std::max({bytes, m_capacity + m_capacity / 2, std::size_t{256}});
     GlBuffer grown = GlBuffer::create();
     glBindBuffer(GL_COPY_WRITE_BUFFER, grown.name());
-    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(capacity), nullptr, GL_DYNAMIC_DRAW);
+    if (grown.take(capacity)) {
+        glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(capacity), nullptr,
+                     GL_DYNAMIC_DRAW);
+    }
     if (m_buffer) {
         glBindBuffer(GL_COPY_READ_BUFFER, m_buffer.name());
         glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
@@ -110,11 +128,22 @@ void TexelBuffer::bind(int textureUnit) const
     glBindTexture(GL_TEXTURE_BUFFER, m_texture.name());
 }
 
+void stream(GlBuffer& buffer, std::span<const std::byte> bytes)
+{
+    glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
+    if (buffer.take(bytes.size())) {
+        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
+                     GL_STREAM_DRAW);
+    }
+}
+
 GlBuffer makeBuffer(std::uint32_t target, std::span<const std::byte> bytes)
 {
     GlBuffer buffer = GlBuffer::create();
     glBindBuffer(target, buffer.name());
-    glBufferData(target, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
+    if (buffer.take(bytes.size())) {
+        glBufferData(target, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
+    }
     return buffer;
 }
 

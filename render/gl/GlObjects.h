@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include <glm/vec2.hpp>
+
 /// Owners of GL names: created empty, released with the context current. Where the context is gone
 /// already, they die inside a ContextLostScope and touch nothing.
 namespace crowd::render {
@@ -43,23 +45,31 @@ public:
     GlObject() = default;
     explicit GlObject(std::uint32_t name) : m_name(name) {}
     ~GlObject() { reset(); }
-    GlObject(GlObject&& other) noexcept : m_name(std::exchange(other.m_name, 0U)) {}
+    GlObject(GlObject&& other) noexcept
+        : m_name(std::exchange(other.m_name, 0U)), m_bytes(std::exchange(other.m_bytes, 0U))
+    {
+    }
     GlObject& operator=(GlObject&& other) noexcept
     {
         if (this != &other) {
             reset();
             m_name = std::exchange(other.m_name, 0U);
+            m_bytes = std::exchange(other.m_bytes, 0U);
         }
         return *this;
     }
 
     [[nodiscard]] static GlObject create();
     void reset();
+    /// Counts so many bytes (card_memory) as what it holds, instead of those before. False: there
+    /// is no room for them, and GL is not to be asked.
+    [[nodiscard]] bool take(std::size_t bytes);
     [[nodiscard]] std::uint32_t name() const { return m_name; }
     explicit operator bool() const { return m_name != 0; }
 
 private:
     std::uint32_t m_name = 0;
+    std::size_t m_bytes = 0;
 };
 
 using GlBuffer = GlObject<GlKind::Buffer>;
@@ -88,6 +98,15 @@ private:
     GlBuffer m_buffer;
     GlTexture m_texture;
 };
+
+/// Of a picture.
+[[nodiscard]] inline std::size_t pixelBytes(const glm::ivec2& size, std::size_t bytesPerPixel)
+{
+    return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * bytesPerPixel;
+}
+
+/// What changes with every picture; the buffer stays bound as GL_ARRAY_BUFFER.
+void stream(GlBuffer& buffer, std::span<const std::byte> bytes);
 
 /// A static buffer with the given contents.
 [[nodiscard]] GlBuffer makeBuffer(std::uint32_t target, std::span<const std::byte> bytes);

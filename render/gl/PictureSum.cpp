@@ -13,7 +13,10 @@ bool PictureSum::make(glm::ivec2 size)
     m_nothing = GlVertexArray::create();
     m_mean = GlTexture::create();
     glBindTexture(GL_TEXTURE_2D, m_mean.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, size.x, size.y, 0, GL_RGBA, GL_HALF_FLOAT, nullptr);
+    if (m_mean.take(pixelBytes(size, 8))) {
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, size.x, size.y, 0, GL_RGBA, GL_HALF_FLOAT,
+                     nullptr);
+    }
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glBindTexture(GL_TEXTURE_2D, 0);

@@ -10,11 +10,14 @@ namespace crowd::render {
 
 namespace {
 
-GlRenderbuffer makeStorage(GLenum format, glm::ivec2 size, int samples)
+GlRenderbuffer makeStorage(GLenum format, std::size_t bytesPerPixel, glm::ivec2 size, int samples)
 {
     GlRenderbuffer storage = GlRenderbuffer::create();
     glBindRenderbuffer(GL_RENDERBUFFER, storage.name());
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, size.x, size.y);
+    const auto times = static_cast<std::size_t>(std::max(samples, 1));
+    if (storage.take(pixelBytes(size, bytesPerPixel) * times)) {
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, size.x, size.y);
+    }
     return storage;
 }
 
@@ -36,8 +39,10 @@ GlTexture makeTexture(glm::ivec2 size, const PixelFormat& format)
 {
     GlTexture texture = GlTexture::create();
     glBindTexture(GL_TEXTURE_2D, texture.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format.inside), size.x, size.y, 0, GL_RGBA,
-                 format.type, nullptr);
+    if (texture.take(pixelBytes(size, format.bytes))) {
+        glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format.inside), size.x, size.y, 0,
+                     GL_RGBA, format.type, nullptr);
+    }
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -96,14 +101,14 @@ model::Result<void> PictureTarget::make()
 {
     const PixelFormat format = formatOf(m_kind);
     m_resolvedColor = makeTexture(m_size, format);
-    m_drawnDepth = makeStorage(GL_DEPTH24_STENCIL8, m_size, m_samples);
+    m_drawnDepth = makeStorage(GL_DEPTH24_STENCIL8, 4, m_size, m_samples);
     m_drawn = GlFramebuffer::create();
     glBindFramebuffer(GL_FRAMEBUFFER, m_drawn.name());
     if (m_samples == 0) {
         m_drawnColor.reset();
         attachPicture(m_resolvedColor);
     } else {
-        m_drawnColor = makeStorage(format.inside, m_size, m_samples);
+        m_drawnColor = makeStorage(format.inside, format.bytes, m_size, m_samples);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
                                   m_drawnColor.name());
     }
@@ -127,12 +132,12 @@ model::Result<void> PictureTarget::make()
 void PictureTarget::makeCopy()
 {
     // Not sRGB: what is drawn into it is encoded already, as in a window's framebuffer.
-    m_copyColor = makeStorage(GL_RGBA8, m_size, 0);
+    m_copyColor = makeStorage(GL_RGBA8, 4, m_size, 0);
     m_copy = GlFramebuffer::create();
     glBindFramebuffer(GL_FRAMEBUFFER, m_copy.name());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
                               m_copyColor.name());
-    m_copyMarks = makeStorage(GL_DEPTH24_STENCIL8, m_size, 0);
+    m_copyMarks = makeStorage(GL_DEPTH24_STENCIL8, 4, m_size, 0);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
                               m_copyMarks.name());
 }

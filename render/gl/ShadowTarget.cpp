@@ -38,8 +38,10 @@ bool ShadowTarget::make(int pixels)
 {
     m_depth = GlTexture::create();
     glBindTexture(GL_TEXTURE_2D, m_depth.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT16, pixels, pixels, 0, GL_DEPTH_COMPONENT,
-                 GL_UNSIGNED_SHORT, nullptr);
+    if (m_depth.take(pixelBytes(glm::ivec2(pixels), 2))) {
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT16, pixels, pixels, 0, GL_DEPTH_COMPONENT,
+                     GL_UNSIGNED_SHORT, nullptr);
+    }
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);

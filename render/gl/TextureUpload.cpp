@@ -22,6 +22,12 @@ GLint wrapMode(model::Wrap wrap)
     return GL_REPEAT;
 }
 
+/// With its mipmaps.
+std::size_t bytesOf(int width, int height, std::size_t layers)
+{
+    return pixelBytes({width, height}, 4) * layers * 4 / 3;
+}
+
 void finish(GLenum target, const Sampling& sampling)
 {
     glTexParameteri(target, GL_TEXTURE_WRAP_S, wrapMode(sampling.wrapU));
@@ -38,9 +44,11 @@ GlTexture upload(const model::Image& image, GLint format, const Sampling& sampli
 {
     GlTexture texture = GlTexture::create();
     glBindTexture(GL_TEXTURE_2D, texture.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, format, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 image.rgba.data());
-    finish(GL_TEXTURE_2D, sampling);
+    if (texture.take(bytesOf(image.width, image.height, 1))) {
+        glTexImage2D(GL_TEXTURE_2D, 0, format, image.width, image.height, 0, GL_RGBA,
+                     GL_UNSIGNED_BYTE, image.rgba.data());
+        finish(GL_TEXTURE_2D, sampling);
+    }
     return texture;
 }
 
@@ -51,6 +59,9 @@ GlTexture uploadLayers(int width, int height, const std::vector<std::vector<std:
 {
     GlTexture texture = GlTexture::create();
     glBindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
+    if (!texture.take(bytesOf(width, height, layers.size()))) {
+        return texture;
+    }
     glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA8, width, height,
                  static_cast<GLsizei>(layers.size()), 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     for (std::size_t i = 0; i < layers.size(); ++i) {

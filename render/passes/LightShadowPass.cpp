@@ -119,7 +119,7 @@ void LightShadowPass::look(const PassContext& context)
     for (const PlacedLight& light : casting) {
         views += viewsOf(light);
     }
-    m_pixels = partPixels(context.wholePixels(), partsAcross(views));
+    m_pixels = partPixels(context.wholePixels(), partsAcross(views)) >> context.reduction;
     m_lamps.clear();
     for (const PlacedLight& light : casting) {
         for (std::size_t side = 0; side < viewsOf(light); ++side) {

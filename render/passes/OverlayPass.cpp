@@ -67,14 +67,6 @@ void describeLines(const GlVertexArray& array, const GlBuffer& buffer)
     glEnableVertexAttribArray(1);
 }
 
-template<class Items>
-void stream(const GlBuffer& buffer, const Items& items)
-{
-    glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(items.size() * sizeof(items[0])),
-                 items.data(), GL_STREAM_DRAW);
-}
-
 } // namespace
 
 model::Result<void> OverlayPass::initialize()
@@ -149,7 +141,7 @@ void OverlayPass::drawMarkers(const PassContext& context)
     add(false);
     const std::size_t discs = vertices.size();
     add(true);
-    stream(m_markers, vertices);
+    stream(m_markers, std::as_bytes(std::span(vertices)));
     m_marker.use();
     context.setCommon(m_marker);
     const model::View& view = context.input.view;
@@ -199,7 +191,7 @@ void OverlayPass::Areas::send(std::span<const OverlayTriangle> areas, std::uint6
             vertices.push_back({corner, linear(area.color)});
         }
     }
-    stream(corners, vertices);
+    stream(corners, std::as_bytes(std::span(vertices)));
 }
 
 /// Each sample is coloured once, by the first triangle that covers it; what is seen goes before
@@ -250,7 +242,7 @@ void OverlayPass::drawLines(const PassContext& context)
         ribbons.push_back({glm::vec4(line.from, line.fromPixels), glm::vec4(line.to, line.toPixels),
                            linear(line.color)});
     }
-    stream(m_ribbons, ribbons);
+    stream(m_ribbons, std::as_bytes(std::span(ribbons)));
     m_ribbon.use();
     context.setCommon(m_ribbon);
     m_ribbon.set("viewSize", context.input.view.size());

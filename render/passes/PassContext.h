@@ -41,6 +41,7 @@ struct PassContext
     glm::mat4 viewProjection;
     Style style;
     glm::ivec2 pixelSize;
+    int reduction = 0;       ///< of Passes
     bool isSoftware = false; ///< llvmpipe: work is handed over in small pieces
     RenderStatistics& statistics;
     ReceivedShadows shadows{};            ///< where style.castsShadows()

@@ -26,20 +26,27 @@
 
 namespace crowd::render {
 
+inline constexpr int kMostReduction = 3;
+
 /// Everything that holds GL names; lives while a context does. What a picture is drawn of, and in
 /// which order, is the table in Passes.cpp.
 struct Passes
 {
+    /// Reduced where the card has little room: coarser people, smaller pictures and shadows, and
+    /// edges that are not smooth.
+    explicit Passes(int reduced = 0) : reduction(reduced) {}
+
+    const int reduction; ///< 0..kMostReduction
     PictureTarget target;
     AovTarget aovs;
-    CrowdGpu crowd;   ///< whoever looks
-    CrowdView seen{}; ///< by the camera
+    CrowdGpu crowd{reduction}; ///< whoever looks
+    CrowdView seen{};          ///< by the camera
     EarlierRows earlier;
     PeopleDrawing peopleDrawing;
     PeoplePass people{peopleDrawing};
     GhostPass ghosts{peopleDrawing};
     BlobPass blobs;
-    StagePass stage;
+    StagePass stage{reduction};
     ShadowPass shadows{peopleDrawing, stage};
     LightShadowPass lightShadows{peopleDrawing, stage};
     BackgroundPass background;

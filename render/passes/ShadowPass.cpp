@@ -62,12 +62,14 @@ Bounds boundsOfPeople(const PassContext& context)
 }
 
 /// A little more than the picture has, in steps: windows are resized by single pixels.
-int mapPixels(glm::ivec2 picture)
+int mapPixels(const PassContext& context)
 {
+    const glm::ivec2 picture = context.wholePixels();
     constexpr int kStep = 256;
     const int longest = std::max(picture.x, picture.y);
     const int wanted = longest + longest / 5;
-    return std::clamp((wanted + kStep - 1) / kStep * kStep, kFewestPixels, kMostPixels);
+    return std::clamp((wanted + kStep - 1) / kStep * kStep, kFewestPixels, kMostPixels) >>
+           context.reduction;
 }
 
 } // namespace
@@ -92,7 +94,7 @@ std::optional<SunView> ShadowPass::sunView(const PassContext& context) const
     const float away = glm::length(glm::max(glm::max(subject.low - eye, eye - subject.high), 0.0F));
     const float reach = view.pixelsPerMetre(1.0F) / kLeastPixelsPerMetre;
     return fitSunView(view, away + reach, all, context.style.light.sunDirection,
-                      mapPixels(context.wholePixels()));
+                      mapPixels(context));
 }
 
 void ShadowPass::tell(PassContext& context, const SunView& sun) const
@@ -124,7 +126,7 @@ Result<void> ShadowPass::draw(PassContext& context, CrowdGpu& crowd)
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5F, 4.0F);
     const auto begun =
-        m_still.begin(m_target, mapPixels(context.wholePixels()), casting, {&sun->clipFromWorld, 1},
+        m_still.begin(m_target, mapPixels(context), casting, {&sun->clipFromWorld, 1},
                       [&] { return m_stage.drawCasters(casting); });
     Result<void> drawn = begun ? Result<void>() : begun.error();
     if (begun && begun.value() && context.input.frame) {

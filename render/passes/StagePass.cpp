@@ -104,37 +104,40 @@ std::string definesOf(const MaterialChoice& material, const Style& style)
     return defines;
 }
 
-/// As large as the card takes it.
-Image fitting(const Image& image)
+/// Halved so many times, and as large as the card takes it.
+Image fitting(const Image& image, int halvings)
 {
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
-    if (image.width <= most && image.height <= most) {
+    const int width = std::clamp(image.width >> halvings, 1, static_cast<int>(most));
+    const int height = std::clamp(image.height >> halvings, 1, static_cast<int>(most));
+    if (width == image.width && height == image.height) {
         return image;
     }
-    const int width = std::min(image.width, most);
-    const int height = std::min(image.height, most);
     return {image.name, width, height, resized(image, width, height)};
 }
 
 /// White where the material has no such picture, but another.
-GlTexture pictureOf(const StageAsset& asset, const MaterialChoice& material, int image)
+GlTexture pictureOf(const StageAsset& asset, const MaterialChoice& material, int image,
+                    int halvings)
 {
     static const Image white{"white", 1, 1, {255, 255, 255, 255}};
     if (!isTextured(material)) {
         return {};
     }
-    return uploadImage(image < 0 ? white : fitting(asset.images[static_cast<std::size_t>(image)]),
+    return uploadImage(image < 0 ? white
+                                 : fitting(asset.images[static_cast<std::size_t>(image)], halvings),
                        {material.wrapU, material.wrapV, material.nearest});
 }
 
-GlTexture reliefOf(const StageAsset& asset, const MaterialChoice& material)
+GlTexture reliefOf(const StageAsset& asset, const MaterialChoice& material, int halvings)
 {
     if (material.normalImage < 0) {
         return {};
     }
-    return uploadValues(fitting(asset.images[static_cast<std::size_t>(material.normalImage)]),
-                        {material.wrapU, material.wrapV, false});
+    return uploadValues(
+        fitting(asset.images[static_cast<std::size_t>(material.normalImage)], halvings),
+        {material.wrapU, material.wrapV, false});
 }
 
 void bindPicture(ShaderProgram& shader, const char* name, int unit, const GlTexture& picture)
@@ -172,9 +175,9 @@ StagePass::Gpu& StagePass::gpuOf(const StagePtr& asset)
     gpu->indices = makeBuffer(GL_ELEMENT_ARRAY_BUFFER, std::as_bytes(std::span(indices)));
     glBindVertexArray(0);
     for (const MaterialChoice& material : asset->materials) {
-        gpu->textures.push_back(pictureOf(*asset, material, material.image));
-        gpu->glows.push_back(pictureOf(*asset, material, material.emissiveImage));
-        gpu->reliefs.push_back(reliefOf(*asset, material));
+        gpu->textures.push_back(pictureOf(*asset, material, material.image, m_halvings));
+        gpu->glows.push_back(pictureOf(*asset, material, material.emissiveImage, m_halvings));
+        gpu->reliefs.push_back(reliefOf(*asset, material, m_halvings));
     }
     return *gpu;
 }

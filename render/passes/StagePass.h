@@ -18,6 +18,8 @@ namespace crowd::render {
 class StagePass
 {
 public:
+    /// Pictures halved so many times, where the card has little room.
+    explicit StagePass(int halvings = 0) : m_halvings(halvings) {}
     /// Opaque and cut-out materials; blended ones follow in drawBlended().
     [[nodiscard]] model::Result<void> draw(const PassContext& context);
     [[nodiscard]] model::Result<void> drawBlended(const PassContext& context);
@@ -59,6 +61,7 @@ private:
     static void setRelief(ShaderProgram& shader, const Gpu& gpu, std::size_t index);
     static void setSurface(ShaderProgram& shader, const Gpu& gpu, std::size_t index);
 
+    int m_halvings;
     std::map<const model::StageAsset*, std::unique_ptr<Gpu>> m_gpu;
     ShaderVariants m_programs{"stage"};
 };

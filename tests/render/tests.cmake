@@ -1,12 +1,14 @@
 crowd_add_tests(ROOM render LINK crowd_render nlohmann_json::nlohmann_json TESTS
     tst_AirAndTone
     tst_Aovs
+    tst_CardMemory
     tst_Cartoon
     tst_CrowdPlan
     tst_DrawnFiles
     tst_DrawnImpostors
     tst_DrawnMaterials
     tst_OddFiles
+    tst_HeavyTemplates
     tst_Highlights
     tst_Lens
     tst_Lights
