@@ -105,6 +105,10 @@ private:
         if (drawn && m_keyframes.progress().isBudgetReached) {
             std::fprintf(stderr, "The memory for keyframes is used up: some clips stand still.\n");
         }
+        if (drawn && m_maker->isReduced()) {
+            std::fprintf(stderr, "The memory of the graphics card is used up: characters and "
+                                 "pictures are coarser.\n");
+        }
         return drawn;
     }
     /// What the camera sees then, and how.

@@ -38,13 +38,6 @@ render::RenderInput inputOf(const PictureRequest& request, model::KeyframeStore&
     return input;
 }
 
-model::Error contextLost()
-{
-    return {QT_TRANSLATE_NOOP("Messages",
-                              "The graphics context for pictures was lost. Start the program "
-                              "again.")};
-}
-
 model::Error stopped()
 {
     return {QT_TRANSLATE_NOOP("Messages", "The picture was stopped.")};
@@ -97,16 +90,27 @@ private:
 
 model::Result<std::unique_ptr<PictureMaker>> PictureMaker::create(model::KeyframeStore& keyframes)
 {
+    std::unique_ptr<PictureMaker> maker(new PictureMaker(keyframes));
+    if (auto ready = maker->beCurrent(); !ready) {
+        return ready.error();
+    }
+    return maker;
+}
+
+/// A context that a driver has lost is made again, and everything sent once more.
+model::Result<void> PictureMaker::beCurrent()
+{
+    if (m_context && m_context->makeCurrent()) {
+        return {};
+    }
+    m_renderer.abandon();
+    m_context.reset();
     auto context = render::OffscreenContext::create();
     if (!context) {
         return context.error();
     }
-    std::unique_ptr<PictureMaker> maker(new PictureMaker(keyframes));
-    maker->m_context = std::move(context).value();
-    if (auto ready = maker->m_renderer.initialize(); !ready) {
-        return ready.error();
-    }
-    return maker;
+    m_context = std::move(context).value();
+    return m_renderer.initialize();
 }
 
 PictureMaker::~PictureMaker()
@@ -145,8 +149,8 @@ PictureMaker::allRows(const PictureRequest& request, bool isDeep, const model::K
 model::Result<void> PictureMaker::drawRows(const PictureRequest& request, bool isDeep,
                                            const RowSink& sink, const model::KeepGoing& keepGoing)
 {
-    if (!m_context->makeCurrent()) {
-        return contextLost();
+    if (auto ready = beCurrent(); !ready) {
+        return ready.error();
     }
     render::RenderInput input = inputOf(request, m_keyframes);
     input.isDeep = isDeep;
@@ -256,8 +260,8 @@ model::Result<std::vector<ExrLayer>> PictureMaker::layersWith(std::span<const st
                                                               const PicturePasses& passes,
                                                               const model::KeepGoing& keepGoing)
 {
-    if (!m_context->makeCurrent()) {
-        return contextLost();
+    if (auto ready = beCurrent(); !ready) {
+        return ready.error();
     }
     const auto shown = aovs(request, passes);
     if (!shown) {

@@ -69,11 +69,20 @@ public:
                                            const model::KeepGoing& keepGoing = {});
     /// The picture that draw() made last: RGBA8, sRGB, rows from the top.
     [[nodiscard]] const std::vector<std::uint8_t>& pixels() const { return m_pixels; }
+    /// What is drawn is coarser than wished: the graphics card has no memory for it.
+    [[nodiscard]] bool isReduced() const { return m_renderer.statistics().reduction > 0; }
     /// Until the next picture the context belongs to no thread.
-    void release() { m_context->doneCurrent(); }
+    void release()
+    {
+        if (m_context) {
+            m_context->doneCurrent();
+        }
+    }
 
 private:
     explicit PictureMaker(model::KeyframeStore& keyframes) : m_keyframes(keyframes) {}
+
+    [[nodiscard]] model::Result<void> beCurrent();
 
     /// Takes some rows of a picture, from the top; RGBA8, or where it is deep half floats.
     using RowSink = std::function<model::Result<void>(std::span<const std::uint8_t> rows)>;

@@ -4,6 +4,7 @@
 
 #include <QtCore/QDir>
 #include <QtTest/QTest>
+#include <epoxy/egl.h>
 
 #include "app/commands/SceneSource.h"
 #include "app/pictures/PictureMaker.h"
@@ -35,6 +36,7 @@ private Q_SLOTS:
     void tilesLookLikeTheWhole();
     void aPictureDoesNotDependOnThoseBefore_data();
     void aPictureDoesNotDependOnThoseBefore();
+    void aContextThatIsLostIsMadeAgain();
 
 private:
     [[nodiscard]] QImage draw(const model::Scene& scene, const char* camera = "",
@@ -477,6 +479,19 @@ void tst_Pictures::aPictureDoesNotDependOnThoseBefore()
     QVERIFY(alone != lastOf({framed(entries, 2, 0, false)}, budget)); // it moves
     QVERIFY(lastOf({before, wanted}, budget) == alone);
     QVERIFY(lastOf({before, before, wanted, before, wanted}, budget) == alone);
+}
+
+/// As by a driver that was reset.
+void tst_Pictures::aContextThatIsLostIsMadeAgain()
+{
+    const model::Scene scene = boxPeople();
+    const QImage before = draw(scene);
+    EGLDisplay display = eglGetCurrentDisplay();
+    EGLContext context = eglGetCurrentContext();
+    QVERIFY(context != EGL_NO_CONTEXT);
+    QVERIFY(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT) == EGL_TRUE);
+    QVERIFY(eglDestroyContext(display, context) == EGL_TRUE);
+    QVERIFY(draw(scene) == before);
 }
 
 CROWD_TEST(tst_Pictures)
