@@ -348,6 +348,7 @@ void MainWindow::applyPreferences(const Preferences& preferences)
     auto options = m_state.viewOptions();
     options.buttons = preferences.buttons;
     options.quality = preferences.quality;
+    options.samples = preferences.samples;
     m_state.setViewOptions(options);
     m_viewport->update(); // a larger budget lets more people move
 }

@@ -26,6 +26,7 @@ namespace {
 const QString kTheme = QStringLiteral("preferences/theme");
 const QString kButtons = QStringLiteral("preferences/paperMouse");
 const QString kQuality = QStringLiteral("preferences/pictureQuality");
+const QString kSamples = QStringLiteral("preferences/samples");
 const QString kAutosave = QStringLiteral("preferences/autosaveSeconds");
 const QString kMemory = QStringLiteral("preferences/keyframeMegabytes");
 const QString kUndoMemory = QStringLiteral("preferences/undoMegabytes");
@@ -45,6 +46,15 @@ widgets::PictureQuality qualityNamed(const QString& name)
                : static_cast<widgets::PictureQuality>(found - kQualities.begin());
 }
 
+constexpr std::array kSampleCounts{0, 2, 4, 8};
+
+/// One of those that are offered.
+int samplesLike(int samples)
+{
+    const auto next = std::ranges::lower_bound(kSampleCounts, samples);
+    return next == kSampleCounts.end() ? kSampleCounts.back() : *next;
+}
+
 } // namespace
 
 Preferences Preferences::load()
@@ -55,6 +65,7 @@ Preferences Preferences::load()
     preferences.buttons = settings.value(kButtons).toBool() ? widgets::ButtonMapping::Paper
                                                             : widgets::ButtonMapping::Standard;
     preferences.quality = qualityNamed(settings.value(kQuality).toString());
+    preferences.samples = samplesLike(settings.value(kSamples, preferences.samples).toInt());
     preferences.autosaveSeconds = settings.value(kAutosave, preferences.autosaveSeconds).toInt();
     preferences.keyframeMegabytes = settings.value(kMemory, preferences.keyframeMegabytes).toInt();
     preferences.undoMegabytes = settings.value(kUndoMemory, preferences.undoMegabytes).toInt();
@@ -70,6 +81,7 @@ void Preferences::save() const
     settings.setValue(kTheme, widgets::themeName(theme));
     settings.setValue(kButtons, buttons == widgets::ButtonMapping::Paper);
     settings.setValue(kQuality, kQualities[static_cast<std::size_t>(quality)]);
+    settings.setValue(kSamples, samples);
     settings.setValue(kAutosave, autosaveSeconds);
     settings.setValue(kMemory, keyframeMegabytes);
     settings.setValue(kUndoMemory, undoMegabytes);
@@ -81,8 +93,9 @@ void Preferences::save() const
 PreferencesDialog::PreferencesDialog(widgets::ActionRegistry& actions, QWidget* parent)
     : QDialog(parent), m_before(Preferences::load()), m_shortcuts(new ShortcutsPage(actions, this)),
       m_theme(new QComboBox(this)), m_buttons(new QComboBox(this)), m_quality(new QComboBox(this)),
-      m_language(new QComboBox(this)), m_autosave(new widgets::NumberBox(this)),
-      m_memory(new QSpinBox(this)), m_undoMemory(new QSpinBox(this)), m_groups(new QCheckBox(this)),
+      m_samples(new QComboBox(this)), m_language(new QComboBox(this)),
+      m_autosave(new widgets::NumberBox(this)), m_memory(new QSpinBox(this)),
+      m_undoMemory(new QSpinBox(this)), m_groups(new QCheckBox(this)),
       m_languageNote(new QLabel(this)), m_welcome(new QCheckBox(this))
 {
     setWindowTitle(tr("Preferences"));
@@ -97,7 +110,7 @@ PreferencesDialog::PreferencesDialog(widgets::ActionRegistry& actions, QWidget* 
     layout->addWidget(pages);
     layout->addWidget(buttons);
     resize(600, 520);
-    for (QComboBox* box : {m_theme, m_buttons, m_quality, m_language}) {
+    for (QComboBox* box : {m_theme, m_buttons, m_quality, m_samples, m_language}) {
         connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::choose);
     }
     connect(m_autosave, &QDoubleSpinBox::valueChanged, this, &PreferencesDialog::choose);
@@ -120,6 +133,14 @@ void PreferencesDialog::fill()
     m_quality->setCurrentIndex(static_cast<int>(m_before.quality));
     m_quality->setToolTip(tr("Automatic: smooth while it can keep up, and perfect when nothing "
                              "moves. Fast spares an old machine; best is always smooth."));
+    for (const int samples : kSampleCounts) {
+        m_samples->addItem(samples == 0 ? tr("Found in the picture")
+                                        : tr("%n samples a pixel", nullptr, samples),
+                           samples);
+    }
+    m_samples->setCurrentIndex(std::max(0, m_samples->findData(m_before.samples)));
+    m_samples->setToolTip(tr("While something moves, and as many as the graphics card offers. A "
+                             "picture that rests is always smooth."));
     m_language->addItem(tr("As the system"), QString());
     for (const Language& language : languages()) {
         m_language->addItem(language.name, language.code);
@@ -163,6 +184,7 @@ QWidget* PreferencesDialog::generalPage()
     form->addRow(tr("Theme"), m_theme);
     form->addRow(tr("Mouse buttons of the brushes"), m_buttons);
     form->addRow(tr("Quality of the picture"), m_quality);
+    form->addRow(tr("Smooth edges"), m_samples);
     form->addRow(tr("Keep unsaved work every"), m_autosave);
     form->addRow(tr("Memory for prepared animations"), m_memory);
     form->addRow(tr("Memory for undo"), m_undoMemory);
@@ -180,6 +202,7 @@ Preferences PreferencesDialog::chosen() const
     preferences.buttons = m_buttons->currentIndex() == 1 ? widgets::ButtonMapping::Paper
                                                          : widgets::ButtonMapping::Standard;
     preferences.quality = static_cast<widgets::PictureQuality>(m_quality->currentIndex());
+    preferences.samples = m_samples->currentData().toInt();
     preferences.autosaveSeconds = qRound(m_autosave->value() * kSecondsInAMinute);
     preferences.keyframeMegabytes = m_memory->value();
     preferences.undoMegabytes = m_undoMemory->value();

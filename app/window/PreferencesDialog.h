@@ -23,6 +23,7 @@ struct Preferences
     widgets::Theme theme = widgets::Theme::System;
     widgets::ButtonMapping buttons = widgets::ButtonMapping::Standard;
     widgets::PictureQuality quality = widgets::PictureQuality::Automatic;
+    int samples = 4;          ///< a pixel, see widgets::ViewOptions
     int autosaveSeconds = 60; ///< 0: off
     int keyframeMegabytes = 512;
     int undoMegabytes = 256;
@@ -66,6 +67,7 @@ private:
     QComboBox* m_theme;
     QComboBox* m_buttons;
     QComboBox* m_quality;
+    QComboBox* m_samples;
     QComboBox* m_language;
     QDoubleSpinBox* m_autosave; ///< minutes
     QSpinBox* m_memory;         ///< of baked animations, MB

@@ -495,10 +495,12 @@ void MainWindowTest::preferencesTakeEffectAndCanBeTakenBack()
     wanted.keyframeMegabytes = 777;
     wanted.buttons = widgets::ButtonMapping::Paper;
     wanted.quality = widgets::PictureQuality::Best;
+    wanted.samples = 2;
     Q_EMIT dialog->changed(wanted);
     QCOMPARE(m_window->state().keyframes().progress().budgetBytes, std::size_t{777} << 20U);
     QCOMPARE(m_window->state().viewOptions().buttons, widgets::ButtonMapping::Paper);
     QCOMPARE(m_window->state().viewOptions().quality, widgets::PictureQuality::Best);
+    QCOMPARE(m_window->state().viewOptions().samples, 2);
     for (auto* box : dialog->findChildren<QSpinBox*>()) {
         box->setValue(box->value() + 64); // the memory
     }
@@ -506,6 +508,13 @@ void MainWindowTest::preferencesTakeEffectAndCanBeTakenBack()
     QCOMPARE(m_window->state().keyframes().progress().budgetBytes, before);
     QCOMPARE(m_window->state().viewOptions().buttons, widgets::ButtonMapping::Standard);
     QCOMPARE(m_window->state().viewOptions().quality, widgets::PictureQuality::Fast); // as tests do
+    QCOMPARE(m_window->state().viewOptions().samples, 4);
+    wanted.samples = 8;
+    wanted.save();
+    QCOMPARE(app::Preferences::load().samples, 8);
+    wanted.samples = 3; // by hand
+    wanted.save();
+    QCOMPARE(app::Preferences::load().samples, 4);
 }
 
 void MainWindowTest::memoryForUndoIsAPreference()

@@ -63,6 +63,7 @@ struct ViewOptions
     model::LookId ownLook = 0; ///< of the scene, whose light, background and lines there are
     ButtonMapping buttons = ButtonMapping::Standard;
     PictureQuality quality = PictureQuality::Automatic;
+    int samples = 4; ///< a pixel, while the picture keeps up; 0: edges are found in it
     friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
 };
 

@@ -363,7 +363,7 @@ void ViewportWidget::setQuality(render::RenderInput& input) const
                              static_cast<int>(std::lround(pixels.height()))};
     input.pixelSize = glm::max(glm::ivec2(glm::dvec2(input.framebufferSize) * pictureShare() + 0.5),
                                glm::ivec2(1));
-    input.samples = m_isCoarse ? 0 : input.samples;
+    input.samples = m_isCoarse ? 0 : m_state.viewOptions().samples;
     input.smoothsEdges = true;
     // The hysteresis hides flicker in motion; a picture at rest is the same whatever led to it.
     input.levels.hysteresis = isMoving() ? input.levels.hysteresis : 0.0F;
