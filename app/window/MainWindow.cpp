@@ -350,7 +350,7 @@ void MainWindow::applyPreferences(const Preferences& preferences)
     options.quality = preferences.quality;
     options.samples = preferences.samples;
     m_state.setViewOptions(options);
-    m_viewport->update(); // a larger budget lets more people move
+    m_viewport->renewPicture(); // a larger budget lets more people move
 }
 
 void MainWindow::showPreferences()

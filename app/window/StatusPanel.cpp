@@ -195,7 +195,9 @@ void StatusPanel::refreshFrame()
     QStringList tips{
         tr("Time of one picture: %1 triangles in %2 draws")
             .arg(locale.toString(static_cast<qlonglong>(m_statistics.render.triangles)),
-                 locale.toString(static_cast<qlonglong>(m_statistics.render.draws)))};
+                 locale.toString(static_cast<qlonglong>(m_statistics.render.draws))),
+        tr("Memory of the graphics card: %1")
+            .arg(locale.formattedDataSize(m_statistics.render.cardBytes))};
     const widgets::Transport& transport = m_state.transport();
     if (transport.isPlaying() && transport.pace() < kSlowPace) {
         parts.prepend(

@@ -43,7 +43,7 @@ public:
         }
         state().transport().setPlaying(false);
         state().transport().rewind();
-        return QTest::qWaitFor([this] { return isLoaded() && frames.frames() > 0; }, 60000);
+        return QTest::qWaitFor([this] { return isLoaded() && frames.isShown(); }, 60000);
     }
     [[nodiscard]] bool isLoaded()
     {
@@ -70,7 +70,7 @@ public:
                                   state().keyframes().progress().pendingClips == 0;
             still = isAtRest ? still + 1 : 0;
         }
-        return still < 2 ? QImage() : view().grabFramebuffer();
+        return still < 2 ? QImage() : view().grabPicture();
     }
     void press(QPoint at) { send(QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton); }
     void release(QPoint at) { send(QEvent::MouseButtonRelease, at, Qt::LeftButton, Qt::NoButton); }

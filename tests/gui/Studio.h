@@ -39,7 +39,7 @@ public:
     [[nodiscard]] bool isReady()
     {
         return QTest::qWaitForWindowActive(&window) &&
-               QTest::qWaitFor([this] { return frames->frames() > 0; });
+               QTest::qWaitFor([this] { return frames->isShown(); });
     }
     void setQuality(widgets::PictureQuality quality)
     {
@@ -61,7 +61,7 @@ public:
         QEvent leave(QEvent::Leave); // no brush in the picture
         QApplication::sendEvent(view, &leave);
         settle();
-        return view->grabFramebuffer();
+        return view->grabPicture();
     }
     [[nodiscard]] std::string bytes() const { return projectText(document.scene()); }
     [[nodiscard]] std::size_t people() const { return document.scene().population.size(); }

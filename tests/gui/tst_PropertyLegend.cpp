@@ -111,6 +111,7 @@ void TestPropertyLegend::followsTheScene()
 {
     ColouredStudio studio;
     QVERIFY(studio.isReady());
+    QTRY_VERIFY(studio.legend()->isVisible());
     studio.choose(QStringLiteral("Tag"));
     QTRY_COMPARE(studio.rows().size(), std::size_t{2});
     studio.document.edit(QStringLiteral("Name"), [](model::SceneEdit& edit) {

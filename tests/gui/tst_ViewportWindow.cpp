@@ -3,12 +3,15 @@
 #include <memory>
 #include <utility>
 
+#include <QtCore/QRegularExpression>
+#include <QtCore/QScopeGuard>
 #include <QtCore/QSettings>
 #include <QtGui/QCursor>
 #include <QtGui/QImage>
 #include <QtGui/QPointingDevice>
 #include <QtGui/QScreen>
 #include <QtGui/QTabletEvent>
+#include <QtGui/QWindow>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
@@ -20,12 +23,14 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "model/project/PresetFolder.h"
+#include "render/gl/CardMemory.h"
 #include "tests/gui/Studio.h"
 #include "tests/program/WindowTest.h"
 #include "widgets/state/PresetUse.h"
 #include "widgets/state/StoredColours.h"
 #include "widgets/viewport/BrushPopup.h"
 #include "widgets/viewport/ViewportWidget.h"
+#include "widgets/viewport/WorkBar.h"
 
 using namespace crowd;
 using namespace crowd::widgets;
@@ -55,7 +60,10 @@ class TestViewportWindow : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void cleanup() { PictureSurface::useKind(PictureSurface::Kind::Automatic); }
+    void drawsTheScene_data() { addKinds(); }
     void drawsTheScene();
+    void drawsNothingWhileNothingChanges_data() { addKinds(); }
     void drawsNothingWhileNothingChanges();
     void aPictureAtRestRipens();
     void aPictureOfAnotherSizeRipensAnew();
@@ -67,16 +75,56 @@ private Q_SLOTS:
     void keysAreTheBrushsOverThePicture();
     void spacePlaysOverThePictureWhateverListHasTheFocus();
     void penPressureReachesTheBrush();
+    void survivesANewContext_data() { addKinds(); }
     void survivesANewContext();
+    void aPictureOfNoSizeDoesNoHarm();
+    void edgesAreAsSmoothAsChosen();
+    void aSmallGraphicsCardSaysSo();
     void rightButtonOpensThePaletteAndItChoosesTools();
     void thePaletteOpensAtTheToolInHand();
     void thePaletteIsSmallAndHasWhatWasUsedLately();
     void escapeWhileTheButtonIsDownTakesBack();
+    void statisticsAreTold_data() { addKinds(); }
     void statisticsAreTold();
+    void theHandIsOverIt_data() { addKinds(); }
+    void theHandIsOverIt();
+
+private:
+    static void addKinds();
+    static void useKind();
 };
+
+/// A graphics card's way and a processor's, on any machine.
+void TestViewportWindow::addKinds()
+{
+    QTest::addColumn<int>("kind");
+    QTest::newRow("composed") << static_cast<int>(PictureSurface::Kind::Composed);
+    QTest::newRow("painted") << static_cast<int>(PictureSurface::Kind::Painted);
+}
+
+void TestViewportWindow::useKind()
+{
+    QFETCH(const int, kind);
+    PictureSurface::useKind(static_cast<PictureSurface::Kind>(kind));
+}
+
+/// As the window system sends what it does.
+void TestViewportWindow::theHandIsOverIt()
+{
+    useKind();
+    Studio studio;
+    QVERIFY(studio.isReady());
+    QWindow* window = studio.window.windowHandle();
+    const QPoint at = studio.view->mapTo(&studio.window, QPoint(160, 160));
+    QTest::mousePress(window, Qt::LeftButton, {}, at);
+    QTest::mouseMove(window, at + QPoint(20, 0));
+    QTest::mouseRelease(window, Qt::LeftButton, {}, at + QPoint(20, 0));
+    QTRY_VERIFY(studio.people() > 0);
+}
 
 void TestViewportWindow::drawsTheScene()
 {
+    useKind();
     Studio studio;
     QVERIFY(studio.isReady());
     QCOMPARE(studio.view->problem(), QString());
@@ -87,6 +135,7 @@ void TestViewportWindow::drawsTheScene()
 
 void TestViewportWindow::drawsNothingWhileNothingChanges()
 {
+    useKind();
     Studio studio;
     QVERIFY(studio.isReady());
     studio.state.setTool(ToolId::Select);
@@ -353,8 +402,74 @@ void TestViewportWindow::penPressureReachesTheBrush()
     QVERIFY(studio.people() >= people);
 }
 
+/// As when all room is given to panels.
+void TestViewportWindow::aPictureOfNoSizeDoesNoHarm()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    studio.drag({60, 120}, {260, 120});
+    const QImage before = studio.picture();
+    const QSize whole = studio.view->size();
+    const int steps = studio.document.undoStack().index();
+    for (const QSize& size : {QSize(0, 0), QSize(1, 1), QSize(whole.width(), 0), QSize(0, 240)}) {
+        studio.view->setFixedSize(size);
+        QTRY_COMPARE(studio.view->size(), size);
+        studio.drag({0, 0}, {1, 1});
+        studio.document.undoStack().setIndex(steps);
+        studio.settle();
+        QCOMPARE(studio.view->problem(), QString());
+    }
+    studio.view->setFixedSize(whole);
+    QTRY_COMPARE(studio.view->size(), whole);
+    QVERIFY(studio.picture() == before);
+}
+
+/// Each sample of a pixel has its place on the card.
+void TestViewportWindow::edgesAreAsSmoothAsChosen()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    studio.setQuality(PictureQuality::Best);
+    studio.settle();
+    const auto bytesWith = [&studio](int samples) {
+        ViewOptions options = studio.state.viewOptions();
+        options.samples = samples;
+        studio.state.setViewOptions(options);
+        studio.settle();
+        return studio.view->statistics().render.cardBytes;
+    };
+    const std::int64_t pixels = std::int64_t{studio.view->width()} * studio.view->height();
+    QVERIFY(bytesWith(4) >= bytesWith(0) + 16 * pixels);
+    QCOMPARE(bytesWith(4), bytesWith(4));
+}
+
+/// And the picture goes on.
+void TestViewportWindow::aSmallGraphicsCardSaysSo()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    studio.setQuality(PictureQuality::Best);
+    studio.drag({60, 120}, {260, 120});
+    studio.settle();
+    const QRegularExpression said(QStringLiteral("memory of the graphics card"));
+    const auto* bar = studio.view->findChild<WorkBar*>();
+    QVERIFY(!bar->status().text.contains(said));
+    const auto noLimit =
+        qScopeGuard([] { render::card_memory::limitTo(render::card_memory::kNoLimit); });
+    render::card_memory::limitTo(render::card_memory::bytes() - 100'000);
+    studio.drag({60, 160}, {260, 160});
+    QTRY_VERIFY(bar->status().text.contains(said));
+    QCOMPARE(studio.view->problem(), QString());
+    QVERIFY(!isOneColour(studio.picture()));
+    // Another scene may have room.
+    render::card_memory::limitTo(render::card_memory::kNoLimit);
+    studio.document.replaceScene(testing::smallTheatre(), {});
+    QTRY_VERIFY(!bar->status().text.contains(said));
+}
+
 void TestViewportWindow::survivesANewContext()
 {
+    useKind();
     Studio studio;
     QVERIFY(studio.isReady());
     studio.drag({60, 120}, {260, 120});
@@ -367,7 +482,7 @@ void TestViewportWindow::survivesANewContext()
     QVERIFY(QTest::qWaitForWindowExposed(&other));
     studio.settle();
     QCOMPARE(studio.view->problem(), QString());
-    QVERIFY(!isOneColour(studio.view->grabFramebuffer()));
+    QVERIFY(!isOneColour(studio.view->grabPicture()));
     studio.layout->addWidget(studio.view);
     QVERIFY(QTest::qWaitForWindowExposed(&studio.window));
     QVERIFY(studio.picture() == before);
@@ -476,6 +591,7 @@ void TestViewportWindow::escapeWhileTheButtonIsDownTakesBack()
 
 void TestViewportWindow::statisticsAreTold()
 {
+    useKind();
     Studio studio;
     QVERIFY(studio.isReady());
     QSignalSpy told(studio.view, &ViewportWidget::statisticsChanged);

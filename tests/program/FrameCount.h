@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QtCore/QEvent>
 #include <QtCore/QObject>
-#include <QtWidgets/QWidget>
+
+#include "widgets/viewport/PictureSurface.h"
 
 namespace crowd::testing {
 
@@ -11,19 +11,22 @@ namespace crowd::testing {
 class FrameCount : public QObject
 {
 public:
-    explicit FrameCount(QWidget& picture) { picture.installEventFilter(this); }
+    explicit FrameCount(widgets::PictureSurface& picture)
+    {
+        connect(&picture, &widgets::PictureSurface::pictureDrawn, this, [this] { ++m_frames; });
+        // Queued: what the picture's own answer to it shows is there then.
+        connect(
+            &picture, &widgets::PictureSurface::pictureShown, this,
+            [this] { m_isShown = m_frames > 0; }, Qt::QueuedConnection);
+    }
 
     [[nodiscard]] int frames() const { return m_frames; }
-
-protected:
-    bool eventFilter(QObject*, QEvent* event) override
-    {
-        m_frames += event->type() == QEvent::Paint ? 1 : 0;
-        return false;
-    }
+    /// Some picture has come into the window.
+    [[nodiscard]] bool isShown() const { return m_isShown; }
 
 private:
     int m_frames = 0;
+    bool m_isShown = false;
 };
 
 } // namespace crowd::testing

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <QtCore/QEvent>
-#include <QtGui/QOpenGLContext>
 
 #include "model/base/Translated.h"
 #include "render/Renderer.h"
@@ -39,24 +38,13 @@ constexpr int kRipenMs = 120; // of rest, before one picture becomes several
 constexpr int kRipe = 8;      // pictures that become one
 constexpr int kRipeAtBest = 16;
 
-QSurfaceFormat surfaceFormat()
-{
-    QSurfaceFormat format;
-    format.setRenderableType(QSurfaceFormat::OpenGL);
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setSamples(0); // the renderer smooths in a framebuffer of its own
-    return format;
-}
-
 } // namespace
 
 ViewportWidget::ViewportWidget(EditorState& state, QWidget* parent)
-    : QOpenGLWidget(parent), m_state(state), m_renderer(std::make_unique<render::Renderer>()),
+    : PictureSurface(parent), m_state(state), m_renderer(std::make_unique<render::Renderer>()),
       m_tools(state), m_input(*this, m_tools), m_overlay(new ViewportOverlay(this)),
       m_work(new WorkBar(this)), m_properties(new PropertyLegend(state, m_colours, this))
 {
-    setFormat(surfaceFormat());
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setTabletTracking(true);
@@ -70,11 +58,7 @@ ViewportWidget::ViewportWidget(EditorState& state, QWidget* parent)
 ViewportWidget::~ViewportWidget()
 {
     m_tools.cancel(); // while everything that hears of it still stands
-    // The base class destroys the context after this; nobody is to call back into half an object.
-    if (context() != nullptr) {
-        disconnect(context(), nullptr, this, nullptr);
-    }
-    releaseContext();
+    end();
 }
 
 void ViewportWidget::redraw()
@@ -87,13 +71,13 @@ void ViewportWidget::renew()
 {
     m_isRipening = false;
     m_ripens.stop();
-    update();
+    renewPicture();
 }
 
 void ViewportWidget::ripen()
 {
     m_isRipening = true;
-    update();
+    renewPicture();
 }
 
 void ViewportWidget::redrawPaths()
@@ -194,7 +178,7 @@ void ViewportWidget::connectOwn()
     connect(&m_tools, &ToolController::pictureChanged, this, &ViewportWidget::refreshOverlay);
     connect(&m_tools, &ToolController::paletteRequested, this, &ViewportWidget::showPopup);
     connect(&m_clock, &FrameClock::beat, this, &ViewportWidget::beat);
-    connect(this, &QOpenGLWidget::frameSwapped, this, &ViewportWidget::finishFrame);
+    connect(this, &PictureSurface::pictureShown, this, &ViewportWidget::finishFrame);
 }
 
 void ViewportWidget::showPopup(const QPointF& position)
@@ -205,24 +189,16 @@ void ViewportWidget::showPopup(const QPointF& position)
     m_popup->popUp(mapToGlobal(position.toPoint()));
 }
 
-void ViewportWidget::initializeGL()
+void ViewportWidget::contextBegins()
 {
-    // A new context after docking: the old one released its objects in releaseContext().
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ViewportWidget::releaseContext,
-            Qt::UniqueConnection);
     const model::Result<void> result = m_renderer->initialize();
     setProblem(result ? model::Message() : result.error().said);
 }
 
-void ViewportWidget::releaseContext()
+void ViewportWidget::contextEnds(bool isCurrent)
 {
-    if (!m_renderer->isInitialized()) {
-        return;
-    }
-    makeCurrent();
-    if (QOpenGLContext::currentContext() != nullptr) {
+    if (isCurrent) {
         m_renderer->destroy();
-        doneCurrent();
     } else {
         m_renderer->abandon();
     }
@@ -304,17 +280,24 @@ void ViewportWidget::refreshPlaces()
     m_overlay->setPlaces(pathLabels(m_state, m_tools.queries().view()));
 }
 
-void ViewportWidget::paintGL()
+QSize ViewportWidget::choosePictureSize()
 {
-    if (!m_renderer->isInitialized()) {
-        return;
-    }
     m_sinceDraw.start();
     m_ripeness = m_isRipening && !isMoving() ? m_ripeness + 1 : 0;
     m_isRipening = false;
     chooseQuality();
-    const render::RenderInput input = renderInput();
-    const model::Result<void> result = m_renderer->draw(input, defaultFramebufferObject());
+    m_pictureSize = (QSizeF(pixelSize()) * pictureShare()).toSize().expandedTo({1, 1});
+    return m_pictureSize;
+}
+
+void ViewportWidget::drawPicture(std::uint32_t framebuffer, const QSize& size)
+{
+    if (!m_renderer->isInitialized()) {
+        return;
+    }
+    render::RenderInput input = renderInput();
+    input.framebufferSize = {size.width(), size.height()};
+    const model::Result<void> result = m_renderer->draw(input, framebuffer);
     if (m_isSceneNew) { // what the old one was drawn from goes
         m_isSceneNew = false;
         m_renderer->releaseUnused();
@@ -322,7 +305,11 @@ void ViewportWidget::paintGL()
     }
     setProblem(result ? model::Message() : result.error().said);
     m_input.setShownSeconds(m_state.transport().seconds());
+    const int reductionBefore = m_statistics.render.reduction;
     m_statistics.render = m_renderer->statistics();
+    if (m_statistics.render.reduction != reductionBefore) {
+        refreshText();
+    }
     m_isShownFinal = !isMoving();
     m_isFrameOpen = true;
 }
@@ -358,11 +345,7 @@ int ViewportWidget::picturesToRipen() const
 
 void ViewportWidget::setQuality(render::RenderInput& input) const
 {
-    const QSizeF pixels = QSizeF(size()) * devicePixelRatioF();
-    input.framebufferSize = {static_cast<int>(std::lround(pixels.width())),
-                             static_cast<int>(std::lround(pixels.height()))};
-    input.pixelSize = glm::max(glm::ivec2(glm::dvec2(input.framebufferSize) * pictureShare() + 0.5),
-                               glm::ivec2(1));
+    input.pixelSize = {m_pictureSize.width(), m_pictureSize.height()};
     input.samples = m_isCoarse ? 0 : m_state.viewOptions().samples;
     input.smoothsEdges = true;
     // The hysteresis hides flicker in motion; a picture at rest is the same whatever led to it.
@@ -534,6 +517,13 @@ WorkStatus ViewportWidget::workStatus()
                 static_cast<double>(done) / total, tr("Cancel"),
                 tr("Stop: whose animation is not ready stands still")};
     }
+    if (m_statistics.render.reduction > 0) {
+        return {tr("The memory of the graphics card is used up: characters and pictures are "
+                   "coarser. Fewer templates, or other programs closed, make room."),
+                -1.0,
+                {},
+                {}};
+    }
     if (baking.isBudgetReached) {
         return {tr("The memory for prepared animations is used up: some characters stand still. "
                    "The preferences set its size."),
@@ -590,7 +580,7 @@ void ViewportWidget::resizeEvent(QResizeEvent* event)
     // view.
     m_state.setViewSize(glm::vec2(std::max(1, width()), std::max(1, height())));
     renew();
-    QOpenGLWidget::resizeEvent(event);
+    PictureSurface::resizeEvent(event);
     m_overlay->setGeometry(rect());
     m_work->place();
     m_properties->place();
@@ -599,7 +589,7 @@ void ViewportWidget::resizeEvent(QResizeEvent* event)
 
 void ViewportWidget::changeEvent(QEvent* event)
 {
-    QOpenGLWidget::changeEvent(event);
+    PictureSurface::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         renewTexts();
     }

@@ -6,7 +6,6 @@
 
 #include <QtCore/QElapsedTimer>
 #include <QtCore/QTimer>
-#include <QtOpenGLWidgets/QOpenGLWidget>
 
 #include "widgets/state/EditorState.h"
 #include "widgets/tools/ToolController.h"
@@ -18,6 +17,7 @@
 #include "widgets/viewport/PathDrawing.h"
 #include "widgets/viewport/PeopleMarks.h"
 #include "widgets/viewport/PictureScale.h"
+#include "widgets/viewport/PictureSurface.h"
 #include "widgets/viewport/PropertyLegend.h"
 #include "widgets/viewport/RelationArcs.h"
 #include "widgets/viewport/TakeGhosts.h"
@@ -41,7 +41,7 @@ struct WorkStatus;
 /// The picture. Draws the scene when something changed or plays; the hand over it is the tools'
 /// affair. Owns the renderer, which survives the loss
 /// of its context (docking). The state outlives it. Main thread only.
-class ViewportWidget : public QOpenGLWidget
+class ViewportWidget : public PictureSurface
 {
     Q_OBJECT
 
@@ -51,10 +51,10 @@ public:
 
     [[nodiscard]] ToolController& tools() { return m_tools; }
     [[nodiscard]] const FrameStatistics& statistics() const { return m_statistics; }
-    /// Nothing moves, and no detail levels are left over from the way here. The picture may still
-    /// ripen.
     /// Share of the window's width and height that the next picture is drawn with.
     [[nodiscard]] double pictureShare() const;
+    /// Nothing moves, and no detail levels are left over from the way here. The picture may still
+    /// ripen.
     [[nodiscard]] bool isAtRest() const { return m_isShownFinal && !isMoving(); }
     /// So many pictures of the same the one that is shown is the mean of.
     [[nodiscard]] int ripeness() const { return m_ripeness + 1; }
@@ -70,8 +70,10 @@ Q_SIGNALS:
     void problemChanged(const QString& problem);
 
 protected:
-    void initializeGL() override;
-    void paintGL() override;
+    void contextBegins() override;
+    [[nodiscard]] QSize choosePictureSize() override;
+    void drawPicture(std::uint32_t framebuffer, const QSize& size) override;
+    void contextEnds(bool isCurrent) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
 
@@ -85,7 +87,6 @@ private:
     void renew(); ///< what is shown has changed: the picture begins anew
     void ripen();
     void redrawPaths();
-    void releaseContext();
     void beat(double elapsedSeconds);
     void finishFrame();
     void showPopup(const QPointF& position);
@@ -131,6 +132,7 @@ private:
     bool m_isShownFinal = false; ///< the last picture was drawn while nothing moved
     bool m_isCoarse = false;     ///< with one sample a pixel, to keep up with the hand
     PictureScale m_scale;        ///< where even that does not
+    QSize m_pictureSize;         ///< of the last picture, pixels
     QTimer m_ripens;             ///< runs until the next picture of those that become one
     int m_ripeness = 0;          ///< of the last picture: how many of the same were before it
     bool m_isRipening = false;   ///< the next picture is one more of the same
