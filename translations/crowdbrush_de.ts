@@ -5150,10 +5150,6 @@
         <translation>%1 lässt sich nicht schreiben: %2. Ordner, Rechte und freien Platz prüfen.</translation>
     </message>
     <message>
-        <source>The graphics context for pictures was lost. Start the program again.</source>
-        <translation>Der Grafikkontext für Bilder ging verloren. Das Programm neu starten.</translation>
-    </message>
-    <message>
         <source>%1: could not be written (%2). The script was not saved; choose another place or free some room.</source>
         <translation>%1 konnte nicht geschrieben werden (%2). Das Skript wurde nicht gespeichert; einen anderen Ort wählen oder Platz schaffen.</translation>
     </message>
@@ -6556,6 +6552,10 @@
     <message>
         <source>%1.%2</source>
         <translation>%1,%2</translation>
+    </message>
+    <message>
+        <source>The memory of the graphics card does not suffice for this picture, however coarse. Choose a smaller picture, remove templates from the scene, or close other programs.</source>
+        <translation>Der Speicher der Grafikkarte reicht für dieses Bild nicht, wie grob auch immer. Wählen Sie ein kleineres Bild, entfernen Sie Vorlagen aus der Szene, oder schließen Sie andere Programme.</translation>
     </message>
 </context>
 <context>
@@ -10701,6 +10701,25 @@ Verworfen ist sie fort.</translation>
         <source>Memory for prepared animations</source>
         <translation>Speicher für vorbereitete Animationen</translation>
     </message>
+    <message>
+        <source>Found in the picture</source>
+        <translation>Im Bild gesucht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples a pixel</source>
+        <translation>
+            <numerusform>%n Abtastung je Pixel</numerusform>
+            <numerusform>%n Abtastungen je Pixel</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>While something moves, and as many as the graphics card offers. A picture that rests is always smooth.</source>
+        <translation>Während sich etwas bewegt, und so viele, wie die Grafikkarte anbietet. Ein Bild, das ruht, ist immer glatt.</translation>
+    </message>
+    <message>
+        <source>Smooth edges</source>
+        <translation>Glatte Kanten</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::RecordPanel</name>
@@ -10898,6 +10917,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>The play range of the timeline ends here. A click on its ruler with Shift held: all time is played.</source>
         <translation>Hier endet der Abspielbereich der Zeitleiste. Ein Klick auf ihr Lineal mit Umschalt: die ganze Zeit wird abgespielt.</translation>
+    </message>
+    <message>
+        <source>Memory of the graphics card: %1</source>
+        <translation>Speicher der Grafikkarte: %1</translation>
     </message>
 </context>
 <context>
@@ -13932,6 +13955,10 @@ C drücken und Figuren auf den Boden malen.</translation>
     <message>
         <source>The memory for prepared animations is used up: some characters stand still. The preferences set its size.</source>
         <translation>Der Speicher für vorbereitete Animationen ist voll: manche Figuren stehen still. Die Einstellungen setzen seine Größe.</translation>
+    </message>
+    <message>
+        <source>The memory of the graphics card is used up: characters and pictures are coarser. Fewer templates, or other programs closed, make room.</source>
+        <translation>Der Speicher der Grafikkarte ist voll: Figuren und Bilder sind gröber. Weniger Vorlagen oder geschlossene andere Programme schaffen Platz.</translation>
     </message>
 </context>
 <context>

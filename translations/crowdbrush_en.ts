@@ -5150,10 +5150,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The graphics context for pictures was lost. Start the program again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1: could not be written (%2). The script was not saved; choose another place or free some room.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6555,6 +6551,10 @@
     </message>
     <message>
         <source>%1.%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The memory of the graphics card does not suffice for this picture, however coarse. Choose a smaller picture, remove templates from the scene, or close other programs.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10695,6 +10695,25 @@ Thrown away, it is gone.</source>
         <source>Memory for prepared animations</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Found in the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples a pixel</source>
+        <translation>
+            <numerusform>%n sample a pixel</numerusform>
+            <numerusform>%n samples a pixel</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>While something moves, and as many as the graphics card offers. A picture that rests is always smooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smooth edges</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::RecordPanel</name>
@@ -10889,6 +10908,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>The play range of the timeline ends here. A click on its ruler with Shift held: all time is played.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory of the graphics card: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -13920,6 +13943,10 @@ Press C and paint characters on the ground.</source>
     </message>
     <message>
         <source>The memory for prepared animations is used up: some characters stand still. The preferences set its size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The memory of the graphics card is used up: characters and pictures are coarser. Fewer templates, or other programs closed, make room.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
