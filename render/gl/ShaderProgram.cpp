@@ -108,8 +108,11 @@ model::Result<void> attach(GLuint program, GLenum stage, const std::string& file
     GLint isCompiled = GL_FALSE;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &isCompiled);
     glAttachShader(program, shader);
-    std::string log = isCompiled == GL_TRUE ? std::string() : logOf(shader, false);
-    log += linesOf(log, text);
+    std::string log;
+    if (isCompiled != GL_TRUE) {
+        log = logOf(shader, false);
+        log += linesOf(log, text);
+    }
     glDeleteShader(shader);
     if (isCompiled != GL_TRUE) {
         return model::Error{
