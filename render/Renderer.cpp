@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <string>
 #include <utility>
 
@@ -100,13 +99,6 @@ glm::mat4 shiftedViewProjection(const RenderInput& input, glm::ivec2 size)
     const glm::vec2 part(halton(n, 2) - 0.5F, halton(n, 3) - 0.5F);
     const glm::vec2 clip = 2.0F * part / glm::vec2(size);
     return glm::translate(glm::mat4(1.0F), {clip.x, clip.y, 0.0F}) * seen;
-}
-
-bool isSoftwareRenderer()
-{
-    const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    return name != nullptr &&
-           (std::strstr(name, "llvmpipe") != nullptr || std::strstr(name, "softpipe") != nullptr);
 }
 
 } // namespace

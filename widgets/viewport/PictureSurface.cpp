@@ -15,6 +15,8 @@
 #include <QtOpenGL/QOpenGLFramebufferObject>
 #include <QtOpenGLWidgets/QOpenGLWidget>
 
+#include "render/gl/SoftwareTuning.h"
+
 namespace crowd::widgets {
 
 namespace {
@@ -53,12 +55,6 @@ public:
     }
     void doneCurrent() { m_context.doneCurrent(); }
     [[nodiscard]] QOpenGLFunctions& functions() { return *m_context.functions(); }
-    [[nodiscard]] bool isSoftware()
-    {
-        const auto* name = reinterpret_cast<const char*>(functions().glGetString(GL_RENDERER));
-        return name != nullptr && (std::strstr(name, "llvmpipe") != nullptr ||
-                                   std::strstr(name, "softpipe") != nullptr);
-    }
 
 private:
     QOpenGLContext m_context;
@@ -223,7 +219,7 @@ PictureSurface::PictureSurface(QWidget* parent) : QWidget(parent)
     if (usedKind != Kind::Composed) {
         auto context = std::make_unique<FreeContext>();
         const bool isUsable = context->makeCurrent();
-        const bool isSoftware = isUsable && context->isSoftware();
+        const bool isSoftware = isUsable && render::isSoftwareRenderer();
         context->doneCurrent(); // others have contexts of another kind
         if (isSoftware || (isUsable && usedKind == Kind::Painted)) {
             m_painted = std::make_unique<Painted>(*this, std::move(context));
